@@ -45,6 +45,7 @@ if("apps" IN_LIST BRECCIA_ROOMS)
   need(Boost 1.74) # headers only
   need(CLI11)
   need(pagmo)
+  need(NLopt)
   need(fmt)
   # The shared library, which hides its Eigen: the archive, which Ceres' own target would take, has Eigen's functions compiled with
   # another alignment and with vectors (BrecciaOptions.cmake), and the linker keeps one of two that have the same name. It needs ATLAS,

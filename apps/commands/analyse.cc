@@ -45,8 +45,9 @@ namespace apps
       if (analysis.fit())
         postprocess::write_text(folder.running() / "residuals.csv", residuals_csv_of(analysis));
       draw(analysis, folder.running());
+      postprocess::write_text(folder.running() / "report.html", report_of(analysis, folder.running()));
       folder.publish();
-      fmt::print("\nwritten to {}: analysis.json, tables and pictures\n", options.folder);
+      fmt::print("\nwritten to {}: report.html, analysis.json, tables and pictures\n", options.folder);
       return exit_success;
     }
   } // namespace

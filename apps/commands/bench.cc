@@ -8,6 +8,7 @@
 
 namespace apps
 {
+  void add_calibration_bench(CLI::App &bench, Action &chosen);
   void add_confined_bench(CLI::App &bench, Action &chosen);
   void add_conservation_bench(CLI::App &bench, Action &chosen);
   void add_continuum_bench(CLI::App &bench, Action &chosen);
@@ -33,6 +34,7 @@ namespace apps
 
     CLI::App &bench = *program.add_subcommand("bench", "Speed against error, as a table and a picture");
     bench.require_subcommand(1);
+    add_calibration_bench(bench, chosen);
     add_confined_bench(bench, chosen);
     add_conservation_bench(bench, chosen);
     add_continuum_bench(bench, chosen);

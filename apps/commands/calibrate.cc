@@ -48,6 +48,8 @@ namespace apps
         if (file.targets[target].is_curve())
           postprocess::write_text(folder / (file.targets[target].name + ".csv"),
                                   curve_csv_of(file, runs, found, target));
+      write_report(file, runs, found, folder);
+      postprocess::write_text(folder / "constants.prm", prm_of(file, found));
       postprocess::write_json(folder / "calibration.json", json_of(file, runs, found));
     }
 
@@ -55,15 +57,23 @@ namespace apps
     {
       const auto file        = read_calibration(command.file, command.overrides);
       command.options.folder = command.folder.empty() ? file->output_folder : command.folder;
-      CalibrationRuns runs(*file, command.options);
+      CalibrationRuns                  runs(*file, command.options);
+      std::unique_ptr<CalibrationRuns> cheap;
+      if (file->cheap.exists())
+        cheap = std::make_unique<CalibrationRuns>(*file, command.options, Fidelity::cheap);
       make_calibration_folders(command.options);
       const FolderLock lock(command.options.folder / "journal" / "lock");
       catch_interrupts();
       try
         {
-          const Calibration found = calibrate(*file, runs);
+          runs.measure();
+          if (cheap)
+            cheap->measure();
+          Calibration found = calibrate(*file, runs, cheap.get());
+          if (file->posterior.runs > 0)
+            found.posterior = posterior_of(*file, runs, found);
           write_calibration(*file, runs, found, command.options.folder);
-          fmt::print("{}\nwritten to {}: calibration.json, curves, and each run below runs\n",
+          fmt::print("{}\nwritten to {}: report.html, calibration.json, curves, and each run below runs\n",
                      words_of(*file, runs, found), command.options.folder.string());
           return exit_success;
         }

@@ -1,9 +1,12 @@
 #include "apps/commands/command.h"
 #include "apps/commands/scene_options.h"
+#include "apps/forecasts/duration.h"
 #include "apps/process/exit_status.h"
 #include "apps/process/interrupt.h"
+#include "apps/process/progress.h"
 #include "apps/scene/kinds/read_scene.h"
 #include "apps/scene/reader.h"
+#include "apps/studies/calibration_runs.h"
 #include "apps/studies/run_study.h"
 
 #include <fmt/format.h>
@@ -14,6 +17,20 @@ namespace apps
 {
   namespace
   {
+    /** The first line of a forecast that says how long a run takes, in seconds; 0: none does. */
+    double seconds_of_run(const CheckedScene &scene, std::string &forecast)
+    {
+      with_places(*scene.root, [&] { forecast = scene.scene->forecast(); });
+      return duration_in(forecast).value_or(0);
+    }
+
+    std::string together_line(const double seconds, const int at_a_time)
+    {
+      return seconds > 0 ?
+               fmt::format("  altogether   roughly {}, {} at a time\n", duration_text(seconds / at_a_time), at_a_time) :
+               "";
+    }
+
     /** Every run is read; one is forecast. */
     int check_study(const SceneOptions &options)
     {
@@ -21,16 +38,45 @@ namespace apps
       const StudyPlan    plan  = plan_of(*study);
       const CheckedScene first = read_scene(study->base_scene, plan.changes.front());
       catch_interrupts();
-      fmt::print("{}: valid\n{} runs over {} factors, {} at a time. The first of them:\n{}", options.scene,
-                 plan.values.rows(), plan.values.cols(), processes_of(*study, {}), first.scene->forecast());
+      std::string  forecast;
+      const double seconds = seconds_of_run(first, forecast);
+      fmt::print("{}: valid\n{} runs over {} factors, {} at a time. The first of them:\n{}{}", options.scene,
+                 plan.values.rows(), plan.values.cols(), processes_of(*study, {}), forecast,
+                 together_line(seconds * static_cast<double>(plan.values.rows()), processes_of(*study, {})));
+      return exit_success;
+    }
+
+    /** Every scene is forecast; how many sets it takes nobody knows before, but how many at most. */
+    int check_calibration(const SceneOptions &options)
+    {
+      const auto      file = read_calibration(options.scene, options.overrides);
+      StudyOptions    none;
+      CalibrationRuns runs(*file, none);
+      catch_interrupts();
+      fmt::print("{}: valid\n{} constants, {} targets; {} runs for each set of constants, at most {} sets{}\n",
+                 options.scene, file->constants.size(), file->targets.size(), runs.runs_of_a_set(), file->most_runs,
+                 file->posterior.runs > 0 ? fmt::format(" and {} for the posterior", file->posterior.runs) : "");
+      double seconds = 0;
+      for (const auto &[scene, changes] : runs.scenes_at_start())
+        {
+          std::string forecast;
+          seconds += seconds_of_run(read_scene(scene, changes), forecast);
+          fmt::print("{}\n{}", scene, forecast);
+        }
+      const auto sets = static_cast<double>(file->most_runs + file->posterior.runs);
+      fmt::print("{}", together_line(sets * seconds * static_cast<double>(runs.runs_of_a_set()) /
+                                       static_cast<double>(runs.scenes_at_start().size()),
+                                     runs.together()));
       return exit_success;
     }
 
     int check(const SceneOptions &options)
     {
       use_threads(options.threads);
-      if (is_study(options.scene))
+      if (is_of_kind(options.scene, "study"))
         return check_study(options);
+      if (is_of_kind(options.scene, "calibration"))
+        return check_calibration(options);
       const CheckedScene scene = read_scene(options.scene, options.overrides);
       catch_interrupts();
       std::string forecast;

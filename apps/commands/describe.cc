@@ -4,6 +4,8 @@
 #include "apps/scene/description.h"
 #include "apps/scene/kinds/kinds.h"
 #include "apps/scene/kinds/read_scene.h"
+#include "apps/studies/calibration_file.h"
+#include "apps/studies/study_file.h"
 #include "apps/text/nearest_name.h"
 
 #include <CLI/Validators.hpp>
@@ -198,11 +200,40 @@ namespace apps
           }
     }
 
+    /** What has entries: scenes of each kind, studies and calibrations. */
+    struct Described
+    {
+      std::string           kind;
+      const Section        *root;
+      std::shared_ptr<void> holds; ///< the owner of the section
+    };
+
+    template <typename File>
+    Described described(const std::string &kind, std::unique_ptr<File> file)
+    {
+      file->root->open_placeholders();
+      const Section *root = file->root.get();
+      return {kind, root, std::shared_ptr<File>(std::move(file))};
+    }
+
+    std::vector<Described> all_described(const std::string &only)
+    {
+      std::vector<Described> all;
+      for (const SceneKind &kind : scene_kinds())
+        if (only.empty() || kind.name == only)
+          all.push_back(described(kind.name, std::make_unique<CheckedScene>(declare_scene(kind.name))));
+      if (only.empty() || only == "study")
+        all.push_back(described("study", declare_study()));
+      if (only.empty() || only == "calibration")
+        all.push_back(described("calibration", declare_calibration()));
+      return all;
+    }
+
     /** Sections and entries of the name that is wanted; if none has it, entries that speak of it, the best first. */
-    Found find(const std::vector<CheckedScene> &scenes, const DescribeOptions &options)
+    Found find(const std::vector<Described> &scenes, const DescribeOptions &options)
     {
       Found all;
-      for (const CheckedScene &scene : scenes)
+      for (const Described &scene : scenes)
         {
           std::vector<Match> matches;
           collect(*scene.root, options.wanted, matches);
@@ -211,7 +242,7 @@ namespace apps
       if (!all.passages.empty() || !absent(options.wanted).empty())
         return all;
       for (const Mention where : mentions_by_rank)
-        for (const CheckedScene &scene : scenes)
+        for (const Described &scene : scenes)
           {
             std::vector<Match> matches;
             collect_mentions(*scene.root, options.wanted, where, matches);
@@ -220,10 +251,10 @@ namespace apps
       return all;
     }
 
-    [[noreturn]] void refuse_unknown(const std::vector<CheckedScene> &scenes, const std::string &wanted)
+    [[noreturn]] void refuse_unknown(const std::vector<Described> &scenes, const std::string &wanted)
     {
       std::vector<std::string> names;
-      for (const CheckedScene &scene : scenes)
+      for (const Described &scene : scenes)
         collect_names(*scene.root, names);
       const std::string answer = absent(wanted), nearest = did_you_mean(wanted, names);
       throw base::InputError("command line: there is no section or entry \"" + wanted + "\"" +
@@ -235,11 +266,8 @@ namespace apps
     /** Sections and entries of all kinds, or of the requested one. */
     int describe(const DescribeOptions &options)
     {
-      std::vector<CheckedScene> scenes;
-      for (const SceneKind &kind : scene_kinds())
-        if (options.kind.empty() || kind.name == options.kind)
-          scenes.push_back(declare_scene(kind.name));
-      const Found found = find(scenes, options);
+      const std::vector<Described> scenes = all_described(options.kind);
+      const Found                  found  = find(scenes, options);
       if (found.passages.empty())
         refuse_unknown(scenes, options.wanted);
       if (options.format == "json")
@@ -267,6 +295,7 @@ namespace apps
     std::vector<std::string> kinds;
     for (const SceneKind &kind : scene_kinds())
       kinds.push_back(kind.name);
+    kinds.insert(kinds.end(), {"study", "calibration"});
     command.add_option("--kind", options->kind, "Only scenes of this kind; default: all kinds")
       ->check(CLI::IsMember(kinds));
     command.add_option("--format", options->format, "prm (default), json or md (Markdown)")

@@ -5,6 +5,8 @@
 #include "apps/studies/inversion.h"
 #include "apps/text/value_text.h"
 #include "base/errors.h"
+#include "postprocess/files/atomic_file.h"
+#include "postprocess/files/html_page.h"
 #include "postprocess/files/summary.h"
 
 #include <CLI/Validators.hpp>
@@ -153,8 +155,11 @@ namespace apps
         return exit_success;
       ResultFolder folder(options.folder, ResultFolder::Start::afresh);
       postprocess::write_json(folder.running() / "inversion.json", json_of(question, found));
+      postprocess::HtmlPage page("Constants for wanted responses");
+      page.lines(words_of(question, found));
+      postprocess::write_text(folder.running() / "report.html", page.text());
       folder.publish();
-      fmt::print("\nwritten to {}/inversion.json\n", options.folder);
+      fmt::print("\nwritten to {}: report.html, inversion.json\n", options.folder);
       return exit_success;
     }
   } // namespace

@@ -3,6 +3,7 @@
 #include "apps/commands/study_options.h"
 #include "apps/process/exit_status.h"
 #include "apps/process/interrupt.h"
+#include "apps/process/mpi_session.h"
 #include "apps/studies/run_study.h"
 #include "base/errors.h"
 
@@ -32,9 +33,25 @@ namespace apps
         throw base::InputError("command line: --part " + text + ": a part of a whole is wanted, \"3/40\".");
     }
 
+    /** Under mpirun each process takes a part, and one run at a time: the processors are shared already. */
+    void take_part_of_ranks(StudyCommand &command)
+    {
+      if (launched_ranks() == 1)
+        return;
+      if (!command.part.empty() || command.options.restart)
+        throw base::InputError(
+          "command line: under mpirun the processes are the parts, and none may throw away what another has done: "
+          "neither --part nor --restart.");
+      command.options.part  = launched_rank() + 1;
+      command.options.parts = launched_ranks();
+      if (command.options.processes == 0)
+        command.options.processes = 1;
+    }
+
     int study(StudyCommand command)
     {
       read_part(command.part, command.options);
+      take_part_of_ranks(command);
       const auto      file   = read_study(command.file, command.overrides);
       const StudyPlan plan   = plan_of(*file);
       command.options.folder = command.folder.empty() ? file->output_folder : command.folder;

@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include <regex>
+
 namespace apps
 {
   double seconds_per_unit(const std::function<std::int64_t(std::int64_t)> &work)
@@ -29,6 +31,23 @@ namespace apps
       advance(count);
       return body.steps() - before;
     });
+  }
+
+  std::optional<double> duration_in(const std::string &forecast)
+  {
+    static const std::regex line("  duration [^\n]*"), time("([0-9]+)(:([0-9]+))? (s|min|h)\\b");
+    std::smatch             found;
+    if (!std::regex_search(forecast, found, line))
+      return std::nullopt;
+    const std::string     said = found.str();
+    std::optional<double> seconds;
+    for (std::sregex_iterator each(said.begin(), said.end(), time), end; each != end; ++each)
+      if (!seconds || said.find("roughly") == std::string::npos) // a guess stands first, a limit last
+        {
+          const double unit = (*each)[4] == "h" ? 3600 : (*each)[4] == "min" ? 60 : 1;
+          seconds           = unit * (std::stod((*each)[1]) + ((*each)[3].matched ? std::stod((*each)[3]) / 60 : 0));
+        }
+    return seconds;
   }
 
   std::string duration_line(const double expected, const double at_most)

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 
 namespace apps
@@ -17,6 +18,9 @@ namespace apps
 
   /** The same of time steps. @param advance takes so many steps, or fewer where its test ends */
   double seconds_per_step(const dem::ObservedSpecimen &body, const std::function<void(std::int64_t)> &advance);
+
+  /** Seconds that a forecast says: the first "roughly 3:07 min" of its lines; nothing where none does. */
+  std::optional<double> duration_in(const std::string &forecast);
 
   /** The line of a forecast. @param at_most [s]; 0: nothing is known of it */
   std::string duration_line(double expected, double at_most = 0);

@@ -4,6 +4,16 @@
 
 namespace optimisation
 {
+  void refuse_unusable(const LeastSquaresProblem &problem)
+  {
+    const Eigen::Index n = problem.start.size();
+    if (n < 1 || problem.lower.size() != n || problem.upper.size() != n || problem.steps.size() != n)
+      throw base::InputError("least squares: bounds and steps are wanted for each variable, and one at least.");
+    if (!(problem.start.array() >= problem.lower.array()).all() ||
+        !(problem.start.array() <= problem.upper.array()).all() || !(problem.steps.array() > 0).all())
+      throw base::InputError("least squares: the start must lie within the bounds, and steps must be positive.");
+  }
+
   EvaluatedResiduals::EvaluatedResiduals(const LeastSquaresProblem &problem_, const LeastSquaresOptions &options_)
     : problem(problem_)
     , options(options_)
@@ -15,6 +25,12 @@ namespace optimisation
     if (residual_count < problem.start.size())
       throw base::InputError("least squares: there are fewer residuals (" + std::to_string(residual_count) +
                              ") than variables (" + std::to_string(problem.start.size()) + ").");
+    if (options.updated_jacobian && problem.first_jacobian.size() > 0)
+      {
+        known_jacobian  = problem.first_jacobian;
+        known_place     = problem.start;
+        known_residuals = *first;
+      }
   }
 
   Eigen::VectorXd EvaluatedResiduals::within_bounds(const Eigen::VectorXd &place) const

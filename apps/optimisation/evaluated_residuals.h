@@ -6,6 +6,9 @@
 
 namespace optimisation
 {
+  /** @throws base::InputError for a start beyond the bounds, steps that are not positive, and sizes that differ */
+  void refuse_unusable(const LeastSquaresProblem &problem);
+
   /** Residuals of a problem, each place evaluated once, and their Jacobian by differences and updates. */
   class EvaluatedResiduals
   {

@@ -83,16 +83,6 @@ namespace optimisation
       const LeastSquaresOptions &options;
     };
 
-    void refuse_unusable(const LeastSquaresProblem &problem)
-    {
-      const Eigen::Index n = problem.start.size();
-      if (n < 1 || problem.lower.size() != n || problem.upper.size() != n || problem.steps.size() != n)
-        throw base::InputError("least squares: bounds and steps are wanted for each variable, and one at least.");
-      if (!(problem.start.array() >= problem.lower.array()).all() ||
-          !(problem.start.array() <= problem.upper.array()).all() || !(problem.steps.array() > 0).all())
-        throw base::InputError("least squares: the start must lie within the bounds, and steps must be positive.");
-    }
-
     ceres::Solver::Options solver_options(const LeastSquaresOptions &options, ceres::IterationCallback *watch)
     {
       ceres::Solver::Options solver;

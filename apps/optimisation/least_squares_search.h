@@ -19,6 +19,8 @@ namespace optimisation
     Eigen::VectorXd lower, upper; ///< of each variable; infinite: none
     Eigen::VectorXd steps;        ///< of the differences that stand for derivatives
     Residuals       residuals;
+    Eigen::MatrixXd first_jacobian =
+      {}; ///< of a cheaper model, to begin with where Jacobians are updated; empty: by differences
   };
 
   struct LeastSquaresOptions

@@ -81,6 +81,8 @@ namespace apps
 
   int launched_ranks() { return number_in_environment({"OMPI_COMM_WORLD_SIZE", "PMI_SIZE"}, 1); }
 
+  int launched_rank() { return number_in_environment({"OMPI_COMM_WORLD_RANK", "PMI_RANK"}, 0); }
+
   void start_mpi()
   {
     static char  name[]  = "breccia";

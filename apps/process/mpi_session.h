@@ -7,6 +7,9 @@ namespace apps
   /** How many processes mpirun (of Open MPI or MPICH) has started, this one among them; 1 without it. Known before start_mpi(). */
   int launched_ranks();
 
+  /** Which of them this is, from 0. */
+  int launched_rank();
+
   /** Make MPI ready, which finite elements need on one rank too; a second call does nothing. */
   void start_mpi();
 

@@ -21,6 +21,9 @@ namespace apps
   /** residuals.csv: a line for each run. Of ranges alone there are none: "". */
   std::string residuals_csv_of(const Analysis &analysis);
 
+  /** report.html of a folder in which the pictures stand. */
+  std::string report_of(const Analysis &analysis, const std::filesystem::path &folder);
+
   /** Draw effects.png, and as the model has them half_normal.png, residuals.png, contours.png. What cannot be drawn costs a warning. */
   void draw(const Analysis &analysis, const std::filesystem::path &folder);
 } // namespace apps

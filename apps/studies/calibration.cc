@@ -1,5 +1,6 @@
 #include "apps/studies/calibration.h"
 
+#include "apps/optimisation/direct_search.h"
 #include "base/errors.h"
 
 #include <fmt/format.h>
@@ -42,11 +43,26 @@ namespace apps
 
       void hold_at_start(const std::vector<int> &held)
       {
-        for (const int k : held)
-          {
-            all[k] = file.constants[k].start;
-            sought.erase(std::find(sought.begin(), sought.end(), k));
-          }
+        const std::vector<int> before = sought;
+        std::vector<int>       columns;
+        sought.clear();
+        for (std::size_t k = 0; k < before.size(); ++k)
+          if (std::find(held.begin(), held.end(), before[k]) == held.end())
+            {
+              sought.push_back(before[k]);
+              columns.push_back(static_cast<int>(k));
+            }
+          else
+            all[before[k]] = file.constants[before[k]].start;
+        if (known_jacobian.size() > 0)
+          known_jacobian = Eigen::MatrixXd(known_jacobian(Eigen::all, columns));
+      }
+
+      /** Where another model has its answer, with its derivatives. */
+      void begin_at(const SoughtAmongAll &other)
+      {
+        all            = other.all;
+        known_jacobian = other.known_jacobian;
       }
 
       optimisation::LeastSquaresFit fit(const optimisation::LeastSquaresOptions &options)
@@ -75,8 +91,12 @@ namespace apps
               own = (*own - runs.measured()).cwiseQuotient(runs.scale());
           return values;
         };
-        optimisation::LeastSquaresFit found = optimisation::least_squares(problem, options);
+        problem.first_jacobian              = known_jacobian;
+        optimisation::LeastSquaresFit found = file.method == SearchMethod::least_squares ?
+                                                optimisation::least_squares(problem, options) :
+                                                optimisation::direct_search(problem, options);
         all(sought)                         = found.place;
+        known_jacobian                      = found.jacobian;
         return found;
       }
 
@@ -85,6 +105,7 @@ namespace apps
       CalibrationRuns       &runs;
       Eigen::VectorXd        all;
       std::vector<int>       sought;
+      Eigen::MatrixXd        known_jacobian; ///< where the last search ended; empty: there was none
     };
 
     bool scatter_is_known(const CalibrationFile &file) { return file.targets.front().deviation > 0; }
@@ -115,6 +136,42 @@ namespace apps
                                      {held, scatter_is_known(file) ? 1.0 : 0.0});
     }
 
+    /** Half of its band of 95 %, over its range: above one the bounds say as much as the targets do. */
+    double relative_band(const CalibrationFile &file, const double value, const double half, const int constant)
+    {
+      const SoughtConstant &own = file.constants[constant];
+      return half / std::max(value - own.lower, own.upper - value);
+    }
+
+    /** Among all: those without an error, but for those on a bound; otherwise that whose band most exceeds its bounds, if one does. */
+    std::vector<int> undetermined_of(const CalibrationFile                        &file,
+                                     const SoughtAmongAll                         &problem,
+                                     const std::optional<statistics::Uncertainty> &sure)
+    {
+      std::vector<int>       fresh;
+      const std::vector<int> held = on_bounds(file, problem);
+      if (!sure)
+        return fresh;
+      for (const int k : sure->undetermined)
+        if (std::find(held.begin(), held.end(), k) == held.end())
+          fresh.push_back(problem.kept()[k]);
+      if (!fresh.empty())
+        return fresh;
+      double widest = 1;
+      for (std::size_t k = 0; k < problem.kept().size(); ++k)
+        {
+          const int    own = problem.kept()[k];
+          const double width =
+            relative_band(file, problem.constants()[own], sure->half_width(static_cast<int>(k), confidence), own);
+          if (width >= widest) // false for one on its bound, which has none
+            {
+              widest = width;
+              fresh  = {own};
+            }
+        }
+      return fresh;
+    }
+
     void put_uncertainty(const CalibrationFile                        &file,
                          const SoughtAmongAll                         &problem,
                          const std::optional<statistics::Uncertainty> &sure,
@@ -133,7 +190,7 @@ namespace apps
           const int    own           = problem.kept()[k];
           const double half          = sure->half_width(static_cast<int>(k), confidence);
           found.standard_errors[own] = sure->standard_errors[k];
-          found.determined[own]      = !std::isnan(half);
+          found.determined[own]      = relative_band(file, found.constants[own], half, own) < 1; // false without one
           if (std::isnan(half))
             continue;
           found.lower[own] = std::max(found.constants[own] - half, file.constants[own].lower);
@@ -154,26 +211,37 @@ namespace apps
         if (found.constants[k] <= file.constants[k].lower || found.constants[k] >= file.constants[k].upper)
           found.warnings.push_back(file.constants[k].name +
                                    " lies on its bound: it has no error, and the others' hold for it there.");
-        else if (found.lower[k] <= file.constants[k].lower && found.upper[k] >= file.constants[k].upper)
+        else if (!found.determined[k] && !std::isnan(found.standard_errors[k]))
           found.warnings.push_back("The targets say next to nothing of " + file.constants[k].name +
                                    ": its band of 95 % is as wide as its bounds.");
       if (found.failed > 0)
         found.warnings.push_back(fmt::format("{} sets of constants had no answer.", found.failed));
     }
+
+    optimisation::LeastSquaresOptions options_of(const CalibrationFile &file, const double targets)
+    {
+      optimisation::LeastSquaresOptions options;
+      options.central_differences = file.central_differences;
+      options.updated_jacobian    = file.updated_jacobian;
+      options.most_evaluations    = static_cast<int>(file.most_runs);
+      options.smallest_decrease   = file.smallest_decrease;
+      options.smallest_sum        = file.smallest_relative_sum * targets;
+      return options;
+    }
   } // namespace
 
-  Calibration calibrate(const CalibrationFile &file, CalibrationRuns &runs)
+  Calibration calibrate(const CalibrationFile &file, CalibrationRuns &runs, CalibrationRuns *const cheap)
   {
-    optimisation::LeastSquaresOptions options;
-    const double                      targets = runs.measured().cwiseQuotient(runs.scale()).squaredNorm();
-    options.central_differences               = file.central_differences;
-    options.updated_jacobian                  = file.updated_jacobian;
-    options.most_evaluations                  = static_cast<int>(file.most_runs);
-    options.smallest_decrease                 = file.smallest_decrease;
-    options.smallest_sum                      = file.smallest_relative_sum * targets;
-
-    SoughtAmongAll                         problem(file, runs);
-    Calibration                            found;
+    const double                            targets = runs.measured().cwiseQuotient(runs.scale()).squaredNorm();
+    const optimisation::LeastSquaresOptions options = options_of(file, targets);
+    SoughtAmongAll                          problem(file, runs);
+    Calibration                             found;
+    if (cheap)
+      {
+        SoughtAmongAll before(file, *cheap);
+        found.cheap_evaluations = before.fit(options).evaluations;
+        problem.begin_at(before);
+      }
     std::vector<int>                       undetermined;
     optimisation::LeastSquaresFit          fit;
     std::optional<statistics::Uncertainty> sure;
@@ -182,12 +250,8 @@ namespace apps
         fit = problem.fit(options);
         found.evaluations += fit.evaluations;
         found.failed += fit.failed;
-        sure = uncertainty_of(file, problem, fit);
-        std::vector<int>       fresh;
-        const std::vector<int> held = on_bounds(file, problem);
-        for (const int k : sure ? sure->undetermined : std::vector<int>())
-          if (std::find(held.begin(), held.end(), k) == held.end())
-            fresh.push_back(problem.kept()[k]);
+        sure                         = uncertainty_of(file, problem, fit);
+        const std::vector<int> fresh = undetermined_of(file, problem, sure);
         if (fresh.empty() || fresh.size() == problem.kept().size())
           break;
         undetermined.insert(undetermined.end(), fresh.begin(), fresh.end());

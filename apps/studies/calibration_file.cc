@@ -15,6 +15,12 @@ namespace apps
   {
     void declare_least_squares(CalibrationFile &calibration, Section &section)
     {
+      section
+        .choice(
+          "Method", calibration.method,
+          {{"least squares", SearchMethod::least_squares}, {"without derivatives", SearchMethod::without_derivatives}},
+          Need::optional)
+        .means("least squares: by derivatives; without derivatives: more runs, for models whose noise is large");
       section.number("Step", calibration.step, "-", Range::between(1e-8, 0.5), Need::optional)
         .means("Of differences, over the range of a constant: beyond the noise of the model");
       section.flag("Central differences", calibration.central_differences)
@@ -37,6 +43,25 @@ namespace apps
         .means("Between commas; the same ones for every set of constants, the mean is compared");
     }
 
+    void declare_cheap_model(CalibrationFile &calibration, Section &section)
+    {
+      section.text("Base scene", calibration.cheap.base_scene, Need::optional)
+        .means(
+          "In place of the base scene: an answer without inertia, a coarser packing; from the folder of this file");
+      section.text("Changes", calibration.cheap.changes, Need::optional)
+        .means("To its scenes, \"Specimen/Generator/Particle radius=3e-3; Loading/Compression/Strain rate=10\"");
+    }
+
+    void declare_posterior(CalibrationFile &calibration, Section &section)
+    {
+      section.integer("Runs", calibration.posterior.runs, "", Range::between(0, 300), Need::optional)
+        .means("Sets of constants around the answer, which an emulator stands for afterwards; 0: no posterior");
+      section.integer("Draws", calibration.posterior.draws, "", Range::between(100, 100000), Need::optional)
+        .means("Of each walker of the sampler");
+      section.integer("Seed", calibration.posterior.seed, "", Range::between(0, 1e15), Need::optional)
+        .means("Of the sets and of the sampler");
+    }
+
     void declare_sought_constants(CalibrationFile &calibration, Section &constants)
     {
       constants.named_sections("CONSTANT", [&calibration](Section &opened) {
@@ -51,6 +76,29 @@ namespace apps
       });
     }
 
+    void declare_reference(CalibrationTarget &target, Section &section)
+    {
+      const auto        has_one = [&target] { return !target.reference.empty(); };
+      const std::string where   = "there is a reference scene";
+      section.text("Reference scene", target.reference, Need::optional)
+        .means(
+          "Its run, once, is what was measured: particles, for the law of a continuum; from the folder of this file");
+      section.text("Reference abscissa", target.reference_abscissa, Need::optional)
+        .means("Column of its series.csv")
+        .only_if(has_one, where);
+      section.text("Reference ordinate", target.reference_ordinate, Need::optional)
+        .means("Likewise")
+        .only_if(has_one, where);
+      section.text("Reference test", target.reference_test, Need::optional)
+        .means("Rows by their column \"test\"")
+        .only_if(has_one, where);
+      section.number("Abscissa factor", target.abscissa_factor, "", Range(), Need::optional)
+        .means(
+          "Of the run's column, into what was measured: one over the gauge length, from a displacement to a strain");
+      section.number("Ordinate factor", target.ordinate_factor, "", Range(), Need::optional)
+        .means("Likewise: one over the section, from a force to a stress");
+    }
+
     void declare_targets(CalibrationFile &calibration, Section &targets)
     {
       targets.named_sections("TARGET", [&calibration](Section &opened) {
@@ -58,17 +106,23 @@ namespace apps
         target.name               = opened.name();
         opened.text("Scene", target.scene, Need::optional)
           .means("The test, where it is not the base scene; from the folder of this file");
+        opened.text("Cheap scene", target.cheap_scene, Need::optional)
+          .means("The same test by the cheap model, where changes do not make it cheap")
+          .only_if([&calibration] { return calibration.cheap.exists(); }, "there is a cheap model");
         opened.text("Figure", target.figure, Need::optional)
           .means("Name among the figures of summary.json, \"compressive_strength\"");
-        opened.number("Value", target.value, "", Range(), Need::optional).means("What was measured, in SI units");
+        opened.number("Value", target.value, "", Range(), Need::optional)
+          .means("What was measured, in SI units; not wanted with a reference scene");
         opened.file("Curve", target.curve)
           .means("Table of a measured curve, in place of a figure")
-          .only_if([&target] { return target.figure.empty(); }, "there is no figure");
+          .only_if([&target] { return target.figure.empty() && target.reference.empty(); },
+                   "there is neither a figure nor a reference scene");
         opened.text("Abscissa", target.abscissa, Need::optional)
           .means("Column of the curve, and of the run's series.csv");
         opened.text("Ordinate", target.ordinate, Need::optional).means("Likewise");
         opened.text("Test", target.test, Need::optional)
           .means("Rows of series.csv by their column \"test\", \"compression\"");
+        declare_reference(target, opened);
         opened.number("Standard deviation", target.deviation, "", Range::at_least(0), Need::optional)
           .means("Of what was measured; 0: not known");
         opened.number("Weight", target.weight, "-", Range::between(1e-6, 1e6), Need::optional)
@@ -76,7 +130,7 @@ namespace apps
       });
     }
 
-    void declare_calibration(CalibrationFile &calibration)
+    void declare(CalibrationFile &calibration)
     {
       Section &root = *calibration.root;
       root.text("Kind", calibration.kind, Need::required).means("calibration");
@@ -89,17 +143,34 @@ namespace apps
         .housekeeping();
       declare_least_squares(calibration, root.section("Search", "Least squares"));
       declare_replicates(calibration, root.section("Replicates", "Several packings"));
+      declare_cheap_model(
+        calibration,
+        root.section("Cheap model", "Run first; its answer and derivatives are where the costly one begins"));
+      declare_posterior(calibration,
+                        root.section("Posterior", "How probable constants are beyond the linearised bands"));
       declare_sought_constants(calibration, root.section("Constants", "What is sought"));
       declare_targets(calibration, root.section("Targets", "What was measured"));
+    }
+
+    /** A file as it is named in the calibration. */
+    std::string beside(const CalibrationFile &calibration, const std::string &name)
+    {
+      return (std::filesystem::path(calibration.file).parent_path() / name).string();
     }
 
     void validate_target(CalibrationFile &calibration, CalibrationTarget &target)
     {
       const Section &section = *calibration.root->find_section("Targets")->find_section(target.name);
-      target.scene           = target.scene.empty() ?
-                                 calibration.base_scene :
-                                 (std::filesystem::path(calibration.file).parent_path() / target.scene).string();
-      if (!target.is_curve() && target.value == 0)
+      target.scene           = target.scene.empty() ? calibration.base_scene : beside(calibration, target.scene);
+      if (target.cheap_scene.empty())
+        target.cheap_scene = target.scene == calibration.base_scene ? calibration.cheap.base_scene : "";
+      else
+        target.cheap_scene = beside(calibration, target.cheap_scene);
+      if (!target.reference.empty())
+        target.reference = beside(calibration, target.reference);
+      if (target.abscissa_factor == 0 || target.ordinate_factor == 0)
+        section.refuse(target.abscissa_factor == 0 ? "Abscissa factor" : "Ordinate factor", "must not be zero.");
+      if (!target.is_curve() && target.value == 0 && target.reference.empty())
         section.refuse("Value", "deviations are relative to it; it must not be zero.");
       bool known = false;
       for (const CalibrationTarget &other : calibration.targets)
@@ -125,6 +196,8 @@ namespace apps
           if (comma_separated(constant.entries).empty())
             section.refuse("Entry", "an entry of the scenes is wanted.");
         }
+      if (!calibration.cheap.base_scene.empty())
+        calibration.cheap.base_scene = beside(calibration, calibration.cheap.base_scene);
       for (CalibrationTarget &target : calibration.targets)
         validate_target(calibration, target);
       if (calibration.seed_entry.empty() != calibration.seeds_text.empty())
@@ -132,14 +205,20 @@ namespace apps
     }
   } // namespace
 
+  std::unique_ptr<CalibrationFile> declare_calibration()
+  {
+    auto calibration  = std::make_unique<CalibrationFile>();
+    calibration->root = std::make_unique<Section>();
+    declare(*calibration);
+    return calibration;
+  }
+
   std::unique_ptr<CalibrationFile> read_calibration(const std::string &file, const std::vector<std::string> &overrides)
   {
-    auto calibration           = std::make_unique<CalibrationFile>();
-    calibration->file          = file;
-    calibration->output_folder = "output/" + std::filesystem::path(file).stem().string();
-    calibration->root          = std::make_unique<Section>();
-    declare_calibration(*calibration);
-    std::vector<Assignment> assignments = read_parameter_file(file);
+    std::unique_ptr<CalibrationFile> calibration = declare_calibration();
+    calibration->file                            = file;
+    calibration->output_folder                   = "output/" + std::filesystem::path(file).stem().string();
+    std::vector<Assignment> assignments          = read_parameter_file(file);
     for (Assignment &assignment : read_overrides(overrides))
       assignments.push_back(std::move(assignment));
     assign(*calibration->root, assignments, file);

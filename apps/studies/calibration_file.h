@@ -24,8 +24,32 @@ namespace apps
     std::string curve, abscissa = "strain", ordinate = "stress", test;
     double      deviation = 0; ///< standard deviation of what was measured; 0: not known
     double      weight    = 1;
+    std::string reference; ///< scene whose run is what was measured; "": a table or a value is
+    std::string reference_abscissa = "strain", reference_ordinate = "stress", reference_test;
+    double      abscissa_factor = 1, ordinate_factor = 1; ///< of the run's columns, into the units of what was measured
+    std::string cheap_scene;                              ///< "": the scene itself with the changes of the cheap model
 
     bool is_curve() const { return figure.empty(); }
+  };
+
+  /** A model that is run first, because its runs cost less: the costly one then begins near its answer. */
+  struct CheapModel
+  {
+    std::string base_scene, changes; ///< "Entry=value; Entry=value"
+
+    bool exists() const { return !base_scene.empty() || !changes.empty(); }
+  };
+
+  /** What the posterior of the constants is drawn from. */
+  struct PosteriorRequest
+  {
+    std::int64_t runs = 0, draws = 2000, seed = 1; ///< runs 0: it is not asked for
+  };
+
+  enum class SearchMethod
+  {
+    least_squares,
+    without_derivatives
   };
 
   /** A calibration as its file says it (doc/tutorials/calibrate.md). */
@@ -36,11 +60,17 @@ namespace apps
     std::int64_t                  threads_per_run = 1, most_runs = 200;
     double                        step = 0.03, smallest_relative_sum = 0, smallest_decrease = 0.01;
     bool                          central_differences = false, updated_jacobian = true;
+    SearchMethod                  method = SearchMethod::least_squares;
+    CheapModel                    cheap;
+    PosteriorRequest              posterior;
     std::string                   seed_entry, seeds_text;
     std::deque<SoughtConstant>    constants;
     std::deque<CalibrationTarget> targets;
     std::unique_ptr<Section>      root;
   };
+
+  /** With its sections declared and no file read. */
+  std::unique_ptr<CalibrationFile> declare_calibration();
 
   /** @throws base::InputError naming file, line and entry */
   std::unique_ptr<CalibrationFile> read_calibration(const std::string &file, const std::vector<std::string> &overrides);

@@ -2,6 +2,7 @@
 
 #include "apps/process/exit_status.h"
 #include "apps/process/interrupt.h"
+#include "apps/process/progress.h"
 #include "apps/results/run_result.h"
 #include "apps/scene/kinds/read_scene.h"
 #include "apps/studies/child_runs.h"
@@ -22,9 +23,33 @@ namespace apps
 {
   namespace
   {
+    namespace fs = std::filesystem;
+
+    /** @throws base::InputError for a name that the run does not have */
+    Figure figure_in(const fs::path &run, const CalibrationTarget &target)
+    {
+      RunResult result;
+      result.summary = nlohmann::json::parse(postprocess::numeric_text::read_whole(run / "summary.json"));
+      return result.figure(target.figure);
+    }
+
     CurveColumns curve_columns_of(const CalibrationTarget &target)
     {
       return {target.abscissa, target.ordinate, target.test};
+    }
+
+    /** "Entry=value; Entry=value" */
+    std::vector<std::string> changes_in(const std::string &text)
+    {
+      std::vector<std::string> changes;
+      for (std::size_t begin = 0, end; begin < text.size(); begin = end + 1)
+        {
+          end                      = std::min(text.find(';', begin), text.size());
+          const std::string change = trimmed(text.substr(begin, end - begin));
+          if (!change.empty())
+            changes.push_back(change);
+        }
+      return changes;
     }
 
     /** What a residual is divided by: the standard deviation, or what makes targets of one weight count alike. */
@@ -36,28 +61,64 @@ namespace apps
     }
   } // namespace
 
-  CalibrationRuns::CalibrationRuns(const CalibrationFile &calibration_, const StudyOptions &options_)
+  CalibrationRuns::CalibrationRuns(const CalibrationFile &calibration_,
+                                   const StudyOptions    &options_,
+                                   const Fidelity         fidelity_)
     : calibration(calibration_)
     , options(options_)
+    , fidelity(fidelity_)
     , seeds(comma_separated(calibration.seeds_text))
-    , begins({0})
+    , changes(fidelity == Fidelity::cheap ? changes_in(calibration.cheap.changes) : std::vector<std::string>())
   {
     if (seeds.empty())
       seeds.push_back("");
+    for (const CalibrationTarget &target : calibration.targets)
+      if (const std::string scene = scene_of(target); std::find(scenes.begin(), scenes.end(), scene) == scenes.end())
+        scenes.push_back(scene);
+    if (std::all_of(calibration.targets.begin(), calibration.targets.end(),
+                    [](const CalibrationTarget &target) { return target.reference.empty(); }))
+      take_measured();
+    for (const CalibrationTarget &target : calibration.targets)
+      if (!target.reference.empty()) // refused before the first run
+        job_of(target.reference, {});
+    const Eigen::VectorXd start = at_start();
+    Eigen::VectorXd       lower = start, upper = start;
+    for (std::size_t k = 0; k < calibration.constants.size(); ++k)
+      {
+        lower[k] = calibration.constants[k].lower;
+        upper[k] = calibration.constants[k].upper;
+      }
+    for (const Eigen::VectorXd &constants : {start, lower, upper}) // refused before the first run
+      jobs_of(constants);
+  }
+
+  /** What was measured, from tables, values and runs of reference scenes. */
+  void CalibrationRuns::take_measured()
+  {
     std::vector<double> values, abscissae, scales;
+    begins = {0};
     for (const CalibrationTarget &target : calibration.targets)
       {
-        if (std::find(scenes.begin(), scenes.end(), target.scene) == scenes.end())
-          scenes.push_back(target.scene);
         Eigen::VectorXd x = Eigen::VectorXd::Constant(1, std::numeric_limits<double>::quiet_NaN());
         Eigen::VectorXd y = Eigen::VectorXd::Constant(1, target.value);
+        const fs::path  reference =
+          target.reference.empty() ? fs::path() : folder_of(job_of(target.reference, std::vector<std::string>()));
         if (target.is_curve())
           {
-            const auto         table = postprocess::read_csv_table(target.curve, true);
-            const CurveColumns whole{target.abscissa, target.ordinate, ""};
-            x = abscissae_of(table, whole);
-            y = ordinates_at(x, table, whole);
+            const CurveColumns columns =
+              target.reference.empty() ?
+                CurveColumns{target.abscissa, target.ordinate, ""} :
+                CurveColumns{target.reference_abscissa, target.reference_ordinate, target.reference_test};
+            const auto table = postprocess::read_csv_table(
+              target.reference.empty() ? fs::path(target.curve) : reference / "series.csv", true, {"test"});
+            x = abscissae_of(table, columns);
+            y = ordinates_at(x, table, columns);
           }
+        else if (!reference.empty())
+          y[0] = figure_in(reference, target).value.value_or(std::numeric_limits<double>::quiet_NaN());
+        if (!y.allFinite())
+          throw base::InputError(calibration.file + ": target " + target.name + ": the run of " + target.reference +
+                                 " has no such figure.");
         abscissae.insert(abscissae.end(), x.begin(), x.end());
         values.insert(values.end(), y.begin(), y.end());
         scales.insert(scales.end(), static_cast<std::size_t>(y.size()), scale_of_target(target, y));
@@ -67,27 +128,67 @@ namespace apps
     observed     = Eigen::Map<const Eigen::VectorXd>(values.data(), n);
     places       = Eigen::Map<const Eigen::VectorXd>(abscissae.data(), n);
     deviations   = Eigen::Map<const Eigen::VectorXd>(scales.data(), n);
+  }
 
-    Eigen::VectorXd start(calibration.constants.size()), lower = start, upper = start;
+  void CalibrationRuns::measure()
+  {
+    std::vector<Job> jobs, fresh;
+    for (const CalibrationTarget &target : calibration.targets)
+      if (!target.reference.empty())
+        jobs.push_back(job_of(target.reference, std::vector<std::string>()));
+    for (const Job &job : jobs)
+      if (!message_of(job) &&
+          std::none_of(fresh.begin(), fresh.end(), [&job](const Job &other) { return other.key == job.key; }))
+        fresh.push_back(job);
+    work_off(fresh);
+    for (const Job &job : jobs)
+      if (const std::string problem = *message_of(job); !problem.empty())
+        throw base::InputError(calibration.file + ": what is measured in " + job.scene + " is not known: " + problem);
+    take_measured();
+  }
+
+  std::string CalibrationRuns::scene_of(const CalibrationTarget &target) const
+  {
+    return fidelity == Fidelity::cheap && !target.cheap_scene.empty() ? target.cheap_scene : target.scene;
+  }
+
+  Eigen::VectorXd CalibrationRuns::at_start() const
+  {
+    Eigen::VectorXd start(calibration.constants.size());
     for (std::size_t k = 0; k < calibration.constants.size(); ++k)
-      {
-        start[k] = calibration.constants[k].start;
-        lower[k] = calibration.constants[k].lower;
-        upper[k] = calibration.constants[k].upper;
-      }
-    for (const Eigen::VectorXd &constants : {start, lower, upper}) // refused before the first run
-      jobs_of(constants);
+      start[k] = calibration.constants[k].start;
+    return start;
+  }
+
+  int CalibrationRuns::together() const
+  {
+    return options.processes > 0 ? options.processes :
+                                   std::max(1, usable_processors() / static_cast<int>(calibration.threads_per_run));
+  }
+
+  std::vector<std::pair<std::string, std::vector<std::string>>> CalibrationRuns::scenes_at_start() const
+  {
+    std::vector<std::pair<std::string, std::vector<std::string>>> all;
+    for (const std::string &scene : scenes)
+      all.emplace_back(scene, job_of(scene, at_start(), seeds.front()).changes);
+    return all;
   }
 
   CalibrationRuns::Job
   CalibrationRuns::job_of(const std::string &scene, const Eigen::VectorXd &constants, const std::string &seed) const
   {
-    Job job{scene, {}, ""};
+    std::vector<std::string> all = changes;
     for (std::size_t k = 0; k < calibration.constants.size(); ++k)
       for (const std::string &entry : comma_separated(calibration.constants[k].entries))
-        job.changes.push_back(fmt::format("{}={}", entry, constants[k]));
+        all.push_back(fmt::format("{}={}", entry, constants[k]));
     if (!seed.empty())
-      job.changes.push_back(calibration.seed_entry + "=" + seed);
+      all.push_back(calibration.seed_entry + "=" + seed);
+    return job_of(scene, all);
+  }
+
+  CalibrationRuns::Job CalibrationRuns::job_of(const std::string &scene, const std::vector<std::string> &all) const
+  {
+    Job job{scene, all, ""};
     try
       {
         const CheckedScene  read    = read_scene(scene, job.changes);
@@ -130,13 +231,16 @@ namespace apps
   {
     const CalibrationTarget &target = calibration.targets[index];
     if (target.is_curve())
-      return ordinates_at(places.segment(begins[index], begins[index + 1] - begins[index]),
-                          postprocess::read_csv_table(folder_of(job) / "series.csv", true, {"test"}),
-                          curve_columns_of(target));
-    RunResult result;
-    result.summary      = nlohmann::json::parse(postprocess::numeric_text::read_whole(folder_of(job) / "summary.json"));
-    const Figure figure = result.figure(target.figure);
-    return figure.value ? Eigen::VectorXd(Eigen::VectorXd::Constant(1, *figure.value)) : Eigen::VectorXd();
+      {
+        const Eigen::VectorXd x = places.segment(begins[index], begins[index + 1] - begins[index]);
+        return target.ordinate_factor *
+               ordinates_at(x / target.abscissa_factor,
+                            postprocess::read_csv_table(folder_of(job) / "series.csv", true, {"test"}),
+                            curve_columns_of(target));
+      }
+    const Figure figure = figure_in(folder_of(job), target);
+    return figure.value ? Eigen::VectorXd(Eigen::VectorXd::Constant(1, target.ordinate_factor * *figure.value)) :
+                          Eigen::VectorXd();
   }
 
   std::optional<Eigen::VectorXd> CalibrationRuns::mean_of(const Eigen::VectorXd &constants) const
@@ -147,7 +251,7 @@ namespace apps
         if (!message_of(job)->empty())
           return std::nullopt;
         for (std::size_t k = 0; k < calibration.targets.size(); ++k)
-          if (calibration.targets[k].scene == job.scene)
+          if (scene_of(calibration.targets[k]) == job.scene)
             {
               const Eigen::VectorXd values = values_of(job, k);
               if (values.size() == 0)
@@ -160,8 +264,8 @@ namespace apps
 
   void CalibrationRuns::work_off(const std::vector<Job> &jobs)
   {
-    const int   together = std::max(1, usable_processors() / static_cast<int>(calibration.threads_per_run));
-    ChildRuns   children(options.processes > 0 ? options.processes : together);
+    ChildRuns   children(together());
+    Progress    progress("calibration");
     std::size_t started = 0, ended = 0;
     while (ended < jobs.size())
       {
@@ -182,6 +286,7 @@ namespace apps
         const auto child = children.wait(std::chrono::milliseconds(200));
         if (interrupted() || (child && child->status == exit_interrupted))
           throw CalibrationInterrupted();
+        progress.update(fmt::format("{} of {} runs of this step, {} before", ended, jobs.size(), made));
         if (!child)
           continue;
         const Job &job = jobs[child->job];

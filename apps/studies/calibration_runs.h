@@ -17,12 +17,27 @@ namespace apps
   {
   };
 
+  /** Which of the models of a calibration is run. */
+  enum class Fidelity
+  {
+    costly,
+    cheap
+  };
+
   /** What was measured, point by point in the order of the targets, and what runs with some constants give for it. */
   class CalibrationRuns
   {
   public:
-    /** @throws base::InputError for curves that cannot be read, and scenes that are refused at the start or at a bound */
-    CalibrationRuns(const CalibrationFile &calibration, const StudyOptions &options);
+    /**
+     * @throws base::InputError for curves that cannot be read, and scenes that are refused at the start or at a bound; what is measured
+     * by runs is not known before measure()
+     */
+    CalibrationRuns(const CalibrationFile &calibration,
+                    const StudyOptions    &options,
+                    Fidelity               fidelity = Fidelity::costly);
+
+    /** Run the reference scenes that the folder does not hold. @throws base::InputError where one fails; CalibrationInterrupted */
+    void measure();
 
     const Eigen::VectorXd &measured() const { return observed; }
     const Eigen::VectorXd &abscissae() const { return places; } ///< NaN of figures
@@ -36,6 +51,12 @@ namespace apps
     std::vector<std::optional<Eigen::VectorXd>> predicted(const std::vector<Eigen::VectorXd> &sets);
 
     int runs() const { return made; } ///< that were not in the folder
+    /** Runs that one set of constants takes: scenes times packings. */
+    std::size_t runs_of_a_set() const { return scenes.size() * seeds.size(); }
+    int         together() const; ///< runs at a time
+
+    /** What is run, and with which changes, for the constants at their start: a scene each. */
+    std::vector<std::pair<std::string, std::vector<std::string>>> scenes_at_start() const;
 
   private:
     struct Job
@@ -45,6 +66,10 @@ namespace apps
       std::string              key; ///< of the folder
     };
 
+    void             take_measured();
+    Job              job_of(const std::string &scene, const std::vector<std::string> &changes) const;
+    std::string      scene_of(const CalibrationTarget &target) const;
+    Eigen::VectorXd  at_start() const;
     Job              job_of(const std::string &scene, const Eigen::VectorXd &constants, const std::string &seed) const;
     std::vector<Job> jobs_of(const Eigen::VectorXd &constants) const;
     std::optional<std::string>     message_of(const Job &job) const; ///< nothing: it was not run; "": it succeeded
@@ -58,7 +83,8 @@ namespace apps
 
     const CalibrationFile    &calibration;
     const StudyOptions       &options;
-    std::vector<std::string>  scenes, seeds;
+    Fidelity                  fidelity;
+    std::vector<std::string>  scenes, seeds, changes;
     std::vector<Eigen::Index> begins; ///< of each target, and the end
     Eigen::VectorXd           observed, places, deviations;
     int                       made = 0;

@@ -43,8 +43,23 @@ namespace apps
       return WIFEXITED(waited) ? WEXITSTATUS(waited) : 128 + (WIFSIGNALED(waited) ? WTERMSIG(waited) : 0);
     }
 
+    /** That of this process, without what says that mpirun has started it: a run is a process of its own. */
+    std::vector<char *> environment_of_a_run()
+    {
+      std::vector<char *> kept;
+      for (char **variable = environ; *variable; ++variable)
+        {
+          const std::string_view text(*variable);
+          const auto begins = [text](const std::string_view prefix) { return text.substr(0, prefix.size()) == prefix; };
+          if (!begins("OMPI_") && !begins("PMIX_") && !begins("PMI_") && !begins("PRTE_"))
+            kept.push_back(*variable);
+        }
+      kept.push_back(nullptr);
+      return kept;
+    }
+
     /** In the new process: nothing but calls that are safe between fork and exec. */
-    [[noreturn]] void become(const pid_t parent, const int log, char *const words[])
+    [[noreturn]] void become(const pid_t parent, const int log, char *const words[], char *const environment[])
     {
 #ifdef __linux__
       prctl(PR_SET_PDEATHSIG, SIGKILL);
@@ -57,7 +72,7 @@ namespace apps
       const int nothing = open("/dev/null", O_RDONLY);
       if (nothing < 0 || dup2(nothing, 0) < 0 || dup2(log, 1) < 0 || dup2(log, 2) < 0)
         _exit(127);
-      execv("/proc/self/exe", words);
+      execve("/proc/self/exe", words, environment);
       _exit(127);
     }
   } // namespace
@@ -116,10 +131,11 @@ namespace apps
     const int file = open(log.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
     if (file < 0)
       throw std::system_error(errno, std::generic_category(), log.string());
-    const pid_t parent  = getpid();
-    const pid_t process = fork();
+    const std::vector<char *> environment = environment_of_a_run();
+    const pid_t               parent      = getpid();
+    const pid_t               process     = fork();
     if (process == 0)
-      become(parent, file, pointers.data());
+      become(parent, file, pointers.data(), environment.data());
     const int problem = errno;
     close(file);
     if (process < 0)

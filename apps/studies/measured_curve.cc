@@ -11,8 +11,6 @@ namespace apps
 {
   namespace
   {
-    using CurvePoints = std::vector<std::pair<double, double>>;
-
     const std::vector<std::string> *words_in_column(const postprocess::CsvTable &table, const std::string &name)
     {
       for (std::size_t column = 0; column < table.names.size(); ++column)
@@ -20,27 +18,26 @@ namespace apps
           return &table.words[column];
       return nullptr;
     }
-
-    /** Those that are farther out than all before, the origin first. */
-    CurvePoints points_of_curve_in(const postprocess::CsvTable &table, const CurveColumns &columns)
-    {
-      const std::vector<double>      &x = table.column(columns.abscissa), &y = table.column(columns.ordinate);
-      const std::vector<std::string> *tests  = columns.test.empty() ? nullptr : words_in_column(table, "test");
-      CurvePoints                     points = {{0, 0}};
-      for (std::size_t row = 0; row < x.size(); ++row)
-        if ((!tests || (*tests)[row] == columns.test) && std::isfinite(x[row]) && std::isfinite(y[row]) &&
-            std::fabs(x[row]) > std::fabs(points.back().first))
-          points.emplace_back(x[row], y[row]);
-      if (points.size() < 2)
-        throw base::InputError(table.origin + ": has no curve of " + columns.ordinate + " over " + columns.abscissa +
-                               (columns.test.empty() ? "" : " of the test " + columns.test) + ".");
-      return points;
-    }
   } // namespace
+
+  CurvePoints points_of(const postprocess::CsvTable &table, const CurveColumns &columns)
+  {
+    const std::vector<double>      &x = table.column(columns.abscissa), &y = table.column(columns.ordinate);
+    const std::vector<std::string> *tests  = columns.test.empty() ? nullptr : words_in_column(table, "test");
+    CurvePoints                     points = {{0, 0}};
+    for (std::size_t row = 0; row < x.size(); ++row)
+      if ((!tests || (*tests)[row] == columns.test) && std::isfinite(x[row]) && std::isfinite(y[row]) &&
+          std::fabs(x[row]) > std::fabs(points.back().first))
+        points.emplace_back(x[row], y[row]);
+    if (points.size() < 2)
+      throw base::InputError(table.origin + ": has no curve of " + columns.ordinate + " over " + columns.abscissa +
+                             (columns.test.empty() ? "" : " of the test " + columns.test) + ".");
+    return points;
+  }
 
   Eigen::VectorXd abscissae_of(const postprocess::CsvTable &measured, const CurveColumns &columns)
   {
-    const CurvePoints points   = points_of_curve_in(measured, columns);
+    const CurvePoints points   = points_of(measured, columns);
     const double      farthest = points.back().first;
     const auto        count    = static_cast<Eigen::Index>(points.size()) - 1; // without the origin
     if (count > points_of_curve)
@@ -55,7 +52,7 @@ namespace apps
   Eigen::VectorXd
   ordinates_at(const Eigen::VectorXd &abscissae, const postprocess::CsvTable &table, const CurveColumns &columns)
   {
-    const CurvePoints points   = points_of_curve_in(table, columns);
+    const CurvePoints points   = points_of(table, columns);
     const double      farthest = abscissae.cwiseAbs().maxCoeff();
     Eigen::VectorXd   ordinates(abscissae.size());
     for (Eigen::Index k = 0; k < abscissae.size(); ++k)

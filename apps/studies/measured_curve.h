@@ -5,6 +5,8 @@
 #include <Eigen/Core>
 
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace apps
 {
@@ -17,6 +19,11 @@ namespace apps
     std::string abscissa, ordinate;
     std::string test; ///< of rows whose column `test` has this word; "": of all
   };
+
+  using CurvePoints = std::vector<std::pair<double, double>>; ///< abscissa and ordinate
+
+  /** Those that are farther out than all before, the origin first. @throws base::InputError for a curve without a point */
+  CurvePoints points_of(const postprocess::CsvTable &table, const CurveColumns &columns);
 
   /** Those of the measured curve; of one with more points, equally spaced up to the farthest, without zero. @throws base::InputError for an unusable curve */
   Eigen::VectorXd abscissae_of(const postprocess::CsvTable &measured, const CurveColumns &columns);

@@ -6,9 +6,11 @@
 #include "apps/results/run_result.h"
 #include "apps/studies/child_runs.h"
 #include "apps/studies/folder_lock.h"
+#include "apps/studies/study_report.h"
 #include "apps/studies/study_table.h"
 #include "base/errors.h"
 #include "postprocess/files/atomic_file.h"
+#include "postprocess/files/csv_table.h"
 #include "postprocess/files/numeric_text.h"
 
 #include <fmt/format.h>
@@ -32,6 +34,26 @@ namespace apps
       return journal.folder() / "runs" / fmt::format("{:06}.log", run + 1);
     }
 
+    /** @throws base::InputError for a column that there is not */
+    Figure figure_of_curve(const fs::path &series, const CurveReading &reading)
+    {
+      const auto table = postprocess::read_csv_table(series, true, {"test"});
+      table.column(reading.columns.abscissa);
+      table.column(reading.columns.ordinate);
+      Figure figure{std::nullopt, reading.unit_in(table), ""};
+      try
+        {
+          figure.value = read_curve(table, reading);
+          if (!figure.value)
+            figure.not_determined = "the curve does not get as far";
+        }
+      catch (const base::InputError &problem)
+        {
+          figure.not_determined = problem.what();
+        }
+      return figure;
+    }
+
     RunRecord record_of(const StudyFile &study, const StudyJournal &journal, const EndedChild &ended)
     {
       RunRecord record;
@@ -50,10 +72,13 @@ namespace apps
       for (std::size_t k = 0; k < study.responses.size(); ++k)
         try
           {
-            const Figure figure = result.figure(study.responses[k].figure);
-            record.responses[k] = figure.value;
-            record.units[k]     = figure.unit;
-            record.reasons[k]   = figure.not_determined;
+            const StudyResponse &response = study.responses[k];
+            const Figure         figure   = response.is_curve() ?
+                                              figure_of_curve(folder_of(journal, ended.job) / "series.csv", response.curve) :
+                                              result.figure(response.figure);
+            record.responses[k]           = figure.value;
+            record.units[k]               = figure.unit;
+            record.reasons[k]             = figure.not_determined;
           }
         catch (const base::InputError &refusal)
           {
@@ -144,9 +169,10 @@ namespace apps
                      records.size(), plan.values.rows());
           return;
         }
+      write_report(study, plan, records, journal.folder());
       postprocess::write_text(journal.folder() / "table.csv", table_of(study, plan, records));
-      fmt::print("{} runs, {} failed, {} together\nwritten to {}: table.csv, and each run below runs\n", records.size(),
-                 failed, duration_text(seconds), journal.folder().string());
+      fmt::print("{} runs, {} failed, {} together\nwritten to {}: table.csv, report.html, and each run below runs\n",
+                 records.size(), failed, duration_text(seconds), journal.folder().string());
     }
   } // namespace
 

@@ -84,14 +84,40 @@ namespace apps
       });
     }
 
+    void declare_curve(StudyResponse &response, Section &section)
+    {
+      CurveReading &curve    = response.curve;
+      const auto    is_curve = [&response] { return response.is_curve(); };
+      section
+        .choice("Curve", curve.measure,
+                {{"none", CurveMeasure::none},
+                 {"value", CurveMeasure::value},
+                 {"peak", CurveMeasure::peak},
+                 {"place of peak", CurveMeasure::place_of_peak},
+                 {"area", CurveMeasure::area},
+                 {"slope", CurveMeasure::slope}},
+                Need::optional)
+        .means("What is read of a curve of the run's series.csv, in place of a figure")
+        .only_if(is_curve, "there is no figure");
+      section.text("Abscissa", curve.columns.abscissa, Need::optional).means("Column of series.csv");
+      section.text("Ordinate", curve.columns.ordinate, Need::optional).means("Likewise");
+      section.text("Test", curve.columns.test, Need::optional)
+        .means("Rows by their column \"test\", \"compression\"; empty: all");
+      section.number("From", curve.from, "", Range::at_least(0), Need::optional)
+        .means("Abscissa where area or slope begin, in magnitude");
+      section.number("To", curve.to, "", Range::at_least(0), Need::optional)
+        .means("Abscissa of the value, or where area or slope end; 0: the end of the curve");
+    }
+
     void declare_responses(StudyFile &study, Section &responses)
     {
       responses.named_sections("RESPONSE", [&study](Section &opened) {
         StudyResponse &response = study.responses.emplace_back();
         response.name           = opened.name();
         response.place          = opened.place();
-        opened.text("Figure", response.figure, Need::required)
+        opened.text("Figure", response.figure, Need::optional)
           .means("Name among the figures of summary.json, \"compressive_strength\"");
+        declare_curve(response, opened);
       });
     }
 
@@ -120,6 +146,18 @@ namespace apps
           "\" cannot name a column of the table: no blank, comma, bracket or quote, and not \"run\".");
     }
 
+    void validate_response(const StudyFile &study, const StudyResponse &response)
+    {
+      const Section      &section = *study.root->find_section("Responses")->find_section(response.name);
+      const CurveReading &curve   = response.curve;
+      if (response.is_curve() && curve.measure == CurveMeasure::none)
+        section.refuse("Figure", "a figure is wanted, or with Curve what is read of a curve.");
+      if (curve.measure == CurveMeasure::value && curve.to == 0)
+        section.refuse("To", "the value of a curve is read there: it must be above zero.");
+      if (curve.to > 0 && curve.from >= curve.to)
+        section.refuse("To", "must be above From.");
+    }
+
     void validate(const StudyFile &study)
     {
       if (!same_name(study.kind, "study"))
@@ -141,6 +179,7 @@ namespace apps
       for (const StudyResponse &response : study.responses)
         {
           demand_column_name(response.name, response.place);
+          validate_response(study, response);
           names.push_back(response.name);
         }
       std::sort(names.begin(), names.end());
@@ -149,21 +188,27 @@ namespace apps
     }
   } // namespace
 
-  bool is_study(const std::string &file)
+  bool is_of_kind(const std::string &file, const std::string &kind)
   {
     for (const Assignment &assignment : read_parameter_file(file))
       if (assignment.sections.empty() && same_name(assignment.entry, "Kind"))
-        return same_name(assignment.value, "study");
+        return same_name(assignment.value, kind);
     return false;
+  }
+
+  std::unique_ptr<StudyFile> declare_study()
+  {
+    auto study  = std::make_unique<StudyFile>();
+    study->root = std::make_unique<Section>();
+    declare(*study);
+    return study;
   }
 
   std::unique_ptr<StudyFile> read_study(const std::string &file, const std::vector<std::string> &overrides)
   {
-    auto study           = std::make_unique<StudyFile>();
-    study->file          = file;
-    study->output_folder = "output/" + std::filesystem::path(file).stem().string();
-    study->root          = std::make_unique<Section>();
-    declare(*study);
+    std::unique_ptr<StudyFile> study    = declare_study();
+    study->file                         = file;
+    study->output_folder                = "output/" + std::filesystem::path(file).stem().string();
     std::vector<Assignment> assignments = read_parameter_file(file);
     for (Assignment &assignment : read_overrides(overrides))
       assignments.push_back(std::move(assignment));

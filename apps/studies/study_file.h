@@ -1,6 +1,7 @@
 #pragma once
 
 #include "apps/scene/section.h"
+#include "apps/studies/curve_reading.h"
 
 #include <cstdint>
 #include <deque>
@@ -21,8 +22,11 @@ namespace apps
   /** What a study reads from each run. */
   struct StudyResponse
   {
-    std::string name, figure;
-    Place       place;
+    std::string  name, figure; ///< "": of a curve
+    CurveReading curve;
+    Place        place;
+
+    bool is_curve() const { return figure.empty(); }
   };
 
   enum class DesignKind
@@ -52,8 +56,11 @@ namespace apps
     std::unique_ptr<Section>  root;
   };
 
-  /** Whether a parameter file says of itself that it is a study: check asks. */
-  bool is_study(const std::string &file);
+  /** Whether a parameter file says of itself that it is of that kind, "study": check asks. */
+  bool is_of_kind(const std::string &file, const std::string &kind);
+
+  /** With its sections declared and no file read. */
+  std::unique_ptr<StudyFile> declare_study();
 
   /**
    * Read a study and changes to it.

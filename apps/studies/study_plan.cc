@@ -218,7 +218,13 @@ namespace apps
           }
       }
     for (const StudyResponse &response : study.responses)
-      plan.text += response.name + " = " + response.figure + "\n";
+      plan.text +=
+        response.name + " = " +
+        (response.is_curve() ? fmt::format("curve {} {} {} {} {} {}", static_cast<int>(response.curve.measure),
+                                           response.curve.columns.abscissa, response.curve.columns.ordinate,
+                                           response.curve.columns.test, response.curve.from, response.curve.to) :
+                               response.figure) +
+        "\n";
     return plan;
   }
 } // namespace apps

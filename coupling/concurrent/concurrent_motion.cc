@@ -140,8 +140,9 @@ namespace coupling
   double ConcurrentMotion<dim>::made() const
   {
     double sum = 0;
-    if (!handshakes
-           .empty()) // constrained particles that move nodes within a window leave the solid with energy that no force has brought
+    if (
+      !handshakes
+         .empty()) // constrained particles that move nodes within a window leave the solid with energy that no force has brought
       {
         const fem::ExplicitEnergy &e = motion.energy();
         sum                          = e.kinetic + e.internal + e.damped - e.external - e.start;

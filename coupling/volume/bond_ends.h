@@ -22,7 +22,7 @@ namespace coupling
     Eigen::Vector3d from, to;  ///< where the bond enters the elements, where the constrained particle is [m]
     std::size_t     slave = 0; ///< the constrained particle, by packing number
     double          part  = 0; ///< of the bond's length [-]
-    double          arm   = 0; ///< from the constrained particle to the point where the bond acts, as the bond has it [m]
+    double          arm = 0; ///< from the constrained particle to the point where the bond acts, as the bond has it [m]
     Eigen::Matrix3d stiffness; ///< of that part: force over slip, as ElasticLink has it [N/m]
     Eigen::Matrix3d turning;   ///< moment over relative rotation, likewise [N m]
   };

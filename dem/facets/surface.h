@@ -87,11 +87,11 @@ namespace dem
     ForceServo          servo;
 
     std::vector<Eigen::Vector3d> place, motion; ///< of vertices: now [m], displacement of the last step [m]
-    std::vector<Eigen::Vector3d> rate;          ///< velocities given to the vertices, if they are driven one by one [m/s]
-    std::vector<Eigen::Vector3d> force;         ///< of particles on vertices at t_n [N]
-    std::vector<Eigen::Vector3d> impulse;       ///< of that since it was last cleared [N s]
-    std::vector<Eigen::Vector3d> turn_impulse;  ///< its moment about the origin, where vertices were each time [N m s]
-    std::vector<double>          stiffness;     ///< of contacts at vertices: sum of k_n N_i at t_n [N/m]
+    std::vector<Eigen::Vector3d> rate;    ///< velocities given to the vertices, if they are driven one by one [m/s]
+    std::vector<Eigen::Vector3d> force;   ///< of particles on vertices at t_n [N]
+    std::vector<Eigen::Vector3d> impulse; ///< of that since it was last cleared [N s]
+    std::vector<Eigen::Vector3d> turn_impulse; ///< its moment about the origin, where vertices were each time [N m s]
+    std::vector<double>          stiffness;    ///< of contacts at vertices: sum of k_n N_i at t_n [N/m]
 
     Eigen::Vector3d total_force = {0, 0, 0}, total_moment = {0, 0, 0};  ///< on it, about the origin, at t_n [N], [N m]
     Eigen::Vector3d momentum = {0, 0, 0}, angular_momentum = {0, 0, 0}; ///< that it has taken since the start

@@ -32,7 +32,7 @@ namespace dem
     strain,  ///< the driven strain was prescribed
     opening, ///< the largest growth of a crack opening was: it cannot but grow, though stress and strain may fall
     relaxed, ///< no equilibrium near by was found; the driven strain was held and dynamics found the next one (a cascade)
-    changed  ///< the driven strain was held while another network took the place of the one before
+    changed ///< the driven strain was held while another network took the place of the one before
   };
 
   std::string name_of(StepControl control);

@@ -56,6 +56,37 @@ TEST_CASE("bench uniaxial writes a row per case with a reference per study", "[a
   CHECK(std::filesystem::file_size(folder / "bench/uniaxial.png") > 0);
 }
 
+TEST_CASE("bench calibration: updates and a cheap model save runs beside plain differences", "[apps]")
+{
+  const ScratchFolder folder;
+  const Outcome       outcome = run(folder.path(), {"bench", "calibration", "-o", "bench"});
+  INFO(outcome.err);
+  REQUIRE(outcome.status == 0);
+  std::istringstream                                        csv(content_of(folder / "bench/calibration.csv"));
+  std::map<std::string, std::map<std::string, std::string>> needed;
+  std::string                                               line;
+  std::getline(csv, line);
+  CHECK(line == "problem,method,runs_needed,runs,nearest [%]");
+  while (std::getline(csv, line))
+    {
+      std::istringstream       cells(line);
+      std::vector<std::string> all;
+      for (std::string cell; std::getline(cells, cell, ',');)
+        all.push_back(cell);
+      REQUIRE(all.size() == 5);
+      needed[all[0]][all[1]] = all[2];
+    }
+  CHECK(needed.size() == 4);
+  for (const std::string problem : {"curve", "two curves", "figures"})
+    {
+      INFO(problem);
+      const double plain = std::stod(needed[problem]["differences"]);
+      CHECK(std::stod(needed[problem]["updated differences"]) <= plain);
+      CHECK(std::stod(needed[problem]["after a cheap model"]) < plain);
+    }
+  CHECK(std::filesystem::file_size(folder / "bench/calibration.png") > 0);
+}
+
 TEST_CASE("bench uniaxial refuses a scene that it cannot vary", "[apps][S14]")
 {
   const ScratchFolder folder;

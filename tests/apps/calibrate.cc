@@ -1,10 +1,13 @@
 // breccia calibrate: constants that make runs give what was measured.
+#include "apps/scene/kinds/read_scene.h"
+#include "apps/studies/calibration_runs.h"
 #include "apps/studies/measured_curve.h"
 #include "base/errors.h"
 #include "postprocess/files/csv_table.h"
 #include "tests/apps/program.h"
 #include "tests/apps/scenes.h"
 #include "tests/apps/scratch_folder.h"
+#include "tests/places.h"
 
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
@@ -61,6 +64,24 @@ subsection Targets
     set Standard deviation = 1e5
   end
 )";
+
+  /** The same without the constant that no figure shows. */
+  std::string two_constants(const std::string &targets)
+  {
+    const std::string text = calibration_of_stack(targets);
+    const std::size_t from = text.find("  subsection unseen"), to = text.find("  end\n", from) + 6;
+    return replaced(
+      text.substr(0, from) + text.substr(to), "subsection Constants",
+      "subsection Search\n  set Smallest sum = 1e-6\nend\nsubsection Constants"); // as many figures as constants
+  }
+
+  /** A modulus as wanted, and a strength that this stack has with a limit a little below its start. */
+  std::string stack_figures(const std::string &modulus, const std::string &deviation)
+  {
+    std::string text = replaced(figures, "1e9", modulus);
+    text             = replaced(text, "1e8", deviation);
+    return replaced(text, "set Value  = 1e6", "set Value  = 5.5e6");
+  }
 
   void write_calibration(const ScratchFolder &folder, const std::string &text)
   {
@@ -138,6 +159,99 @@ TEST_CASE("breccia calibrate recovers known constants within their error bars an
   CHECK(content_of(folder / "out/calibration.json") == before);
 }
 
+TEST_CASE("a constant whose band fills its bounds is not called determined, and held at its start", "[apps][slow]")
+{
+  const ScratchFolder folder;
+  // A modulus of 33 GPa known to 100 %: the band of the constant reaches beyond both bounds.
+  write_calibration(folder, two_constants(stack_figures("33e9", "33e9")));
+  const Outcome told = calibrate(folder, {"-o", "out"});
+  INFO(told.err << told.out);
+  REQUIRE(told.status == 0);
+  const auto constants = nlohmann::json::parse(content_of(folder / "out/calibration.json"))["constants"];
+  CHECK(constants["modulus"]["determined"] == false);
+  CHECK(constants["modulus"]["value"].get<double>() == 22e9);
+  CHECK(constants["limit"]["determined"] == true);
+  CHECK_THAT(told.out, Contains("do not determine modulus: it is held at its start"));
+}
+
+TEST_CASE("a posterior by an emulator has bands of constants and of the curve, and the report shows them",
+          "[apps][slow]")
+{
+  const ScratchFolder folder;
+  write_calibration(folder, "");
+  const double       deviation = measure(folder);
+  std::ostringstream target;
+  target << "  subsection pull\n    set Curve = measured.csv\n    set Test = tension\n    set Standard deviation = "
+         << deviation << "\n  end\n";
+  write_calibration(folder,
+                    replaced(calibration_of_stack(target.str()), "subsection Targets",
+                             "subsection Posterior\n  set Runs = 30\n  set Draws = 500\nend\nsubsection Targets"));
+  const Outcome told = calibrate(folder, {"-o", "out"});
+  INFO(told.err << told.out);
+  REQUIRE(told.status == 0);
+  const auto found = nlohmann::json::parse(content_of(folder / "out/calibration.json"));
+  for (const auto &[name, truth] : {std::pair("modulus", 27e9), std::pair("limit", 0.8e-4)})
+    {
+      INFO(name);
+      const auto  &own   = found["constants"][name];
+      const double error = own["standard_error"], lower = own["posterior"]["band_95"][0],
+                   upper = own["posterior"]["band_95"][1];
+      CHECK(lower < truth + error);
+      CHECK(upper > truth - error);
+      CHECK(own["posterior"]["standard_deviation"].get<double>() == Approx(error).epsilon(0.5)); // nearly linear
+    }
+  const auto band = found["constants"]["unseen"]["posterior"]["band_95"]; // as wide as the bounds, 10 to 20
+  CHECK(band[0].get<double>() < 11);
+  CHECK(band[1].get<double>() > 19);
+  CHECK(found["posterior"]["runs"].get<int>() == 30);
+  const auto curve = postprocess::read_csv_table(folder / "out/pull.csv", true);
+  for (std::size_t row = 0; row < curve.rows(); ++row)
+    CHECK(curve.column("posterior_lower_95")[row] < curve.column("posterior_upper_95")[row]);
+  const std::string page = content_of(folder / "out/report.html");
+  CHECK_THAT(page, Contains("data:image/png;base64,iVBORw0KGgo") && Contains("posterior mean") && Contains("unseen"));
+  CHECK(page.size() < 2000000);
+}
+
+TEST_CASE("several tests are met together by their weights, with derivatives and without", "[apps][slow]")
+{
+  const auto [weight, method, modulus] =
+    GENERATE(table<std::string, std::string, double>({{"1", "least squares", 36e9}, // 30 GPa here and 60 GPa there
+                                                      {"4", "least squares", 45e9},
+                                                      {"4", "without derivatives", 45e9}}));
+  const ScratchFolder folder;
+  write_calibration(folder, R"(set Kind       = calibration
+set Base scene = stack.prm
+subsection Search
+  set Smallest decrease = 1e-6
+  set Method = )" + method + R"(
+end
+subsection Constants
+  subsection modulus
+    set Entry = Material/CPM/Normal modulus
+    set Start = 22e9
+    set Lower = 15e9
+    set Upper = 40e9
+  end
+end
+subsection Targets
+  subsection E
+    set Figure = young_modulus
+    set Value  = 30e9
+  end
+  subsection other_E
+    set Scene  = other.prm
+    set Figure = young_modulus
+    set Value  = 60e9
+    set Weight = )" + weight + "\n  end\nend\n");
+  folder.file("other.prm", content_of(folder / "stack.prm"));
+  const Outcome told = calibrate(folder, {"-o", "out"});
+  INFO(told.err << told.out);
+  REQUIRE(told.status == 0);
+  const auto targets = nlohmann::json::parse(content_of(folder / "out/calibration.json"))["targets"];
+  CHECK(targets["E"]["predicted"].get<double>() == Approx(modulus).epsilon(5e-3)); // sum of w (E/E* - 1)^2
+  CHECK(targets["other_E"]["predicted"] == targets["E"]["predicted"]);
+}
+
 TEST_CASE("breccia calibrate refuses what it cannot seek before its first run, in one message", "[apps]")
 {
   const ScratchFolder folder;
@@ -161,6 +275,39 @@ TEST_CASE("breccia calibrate refuses what it cannot seek before its first run, i
   CHECK(told.status == 2);
   CHECK_THAT(told.err, Contains(said));
   CHECK_FALSE(std::filesystem::exists(folder / "out/runs"));
+}
+
+TEST_CASE("every shipped study and calibration is read with the scenes of all its runs", "[apps]")
+{
+  int                      count = 0;
+  const apps::StudyOptions nowhere;
+  for (const auto &entry : std::filesystem::directory_iterator(places::sources() + "/apps/scenes/studies"))
+    {
+      const std::string file = entry.path().string();
+      INFO(file);
+      if (apps::is_of_kind(file, "study"))
+        CHECK(apps::plan_of(*apps::read_study(file, {})).changes.size() > 5);
+      else if (apps::is_of_kind(file, "calibration"))
+        CHECK(apps::CalibrationRuns(*apps::read_calibration(file, {}), nowhere).runs_of_a_set() > 0);
+      else
+        CHECK_NOTHROW(apps::read_scene(file, {}));
+      ++count;
+    }
+  CHECK(count >= 8);
+}
+
+TEST_CASE("check of a calibration says what it takes at most, and describe knows its entries and those of a study",
+          "[apps]")
+{
+  const ScratchFolder folder;
+  write_calibration(folder, calibration_of_stack(figures));
+  const Outcome told = run(folder.path(), {"check", "calibration.prm"});
+  INFO(told.err);
+  CHECK(told.status == 0);
+  CHECK_THAT(told.out, Contains("3 constants, 2 targets; 1 runs for each set of constants, at most 200 sets") &&
+                         Contains("particles") && Contains("altogether   roughly"));
+  CHECK_THAT(run(folder.path(), {"describe", "Cheap model", "--kind", "calibration"}).out, Contains("Changes"));
+  CHECK_THAT(run(folder.path(), {"describe", "Axial distance"}).out, Contains("Scenes of kind study"));
 }
 
 TEST_CASE("a figure that no run has is refused by name, with those that there are, when constants are sought",

@@ -1,6 +1,6 @@
 // Scenes of kind "peridynamic_core": elements with a core of bonds.
-#include "apps/scene/kinds/read_scene.h"
 #include "apps/results/run_result.h"
+#include "apps/scene/kinds/read_scene.h"
 #include "tests/apps/scene_runs.h"
 #include "tests/places.h"
 

@@ -1,13 +1,18 @@
 // breccia study: a scene with its constants varied, into one table.
+#include "apps/studies/curve_reading.h"
+#include "postprocess/files/csv_table.h"
 #include "tests/apps/program.h"
 #include "tests/apps/scenes.h"
 #include "tests/apps/scratch_folder.h"
+#include "tests/places.h"
 
 #include <catch2/catch.hpp>
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <csignal>
+#include <cstdlib>
 #include <filesystem>
 #include <map>
 #include <random>
@@ -185,6 +190,109 @@ TEST_CASE(
   CHECK(study(folder, {"-o", "out", "--part", "3/2"}).status == 2);
 }
 
+TEST_CASE("responses of a study can be read from curves, and a column that no run has is refused by name",
+          "[apps][slow]")
+{
+  const ScratchFolder folder;
+  const std::string   curves = replaced(study_of_stack(), "    set Figure = young_modulus",
+                                        "    set Curve = slope\n    set Test = tension\n    set To = 1e-5");
+  write_study(folder, replaced(curves, "    set Figure = tensile_strength",
+                               "    set Figure = tensile_strength\n  end\n  subsection peak\n    set Curve = peak\n"
+                               "    set Test = tension\n  end\n  subsection beyond\n    set Curve = value\n"
+                               "    set Test = tension\n    set To = 10"));
+  const Outcome told = study(folder, {"-o", "out"});
+  INFO(told.err);
+  REQUIRE(told.status == 0);
+  const std::string text = content_of(folder / "out/table.csv");
+  CHECK_THAT(text, Catch::StartsWith("run,stiffness [Pa],limit [-],E [Pa],f_t [Pa],peak [Pa],beyond\n"));
+  CHECK_THAT(text, Contains("# run 1 has no beyond: the curve does not get as far"));
+  const auto table = postprocess::read_csv_table(folder / "out/table.csv", true);
+  for (std::size_t run = 0; run < 4; ++run)
+    {
+      CHECK(table.column("peak")[run] == Approx(table.column("f_t")[run]).epsilon(0.02)); // series have fewer points
+      CHECK(std::isnan(table.column("beyond")[run]));
+    }
+  CHECK(table.column("E")[2] > 1.4 * table.column("E")[0]); // of links half as stiff again
+
+  const std::string page = content_of(folder / "out/report.html");
+  CHECK_THAT(page, Contains("data:image/png;base64,iVBORw0KGgo") && Contains("<td class=\"n\">2e+10</td>"));
+  CHECK_THAT(page, !Contains("src=\"http") && !Contains("href="));
+  CHECK(page.size() < 2000000);
+
+  write_study(folder, replaced(curves, "set Test = tension\n    set To", "set Ordinate = stretch\n    set To"));
+  const Outcome other = study(folder, {"-o", "other"});
+  CHECK(other.status == 2);
+  CHECK_THAT(other.err, Contains("stretch") && Contains("mean_damage"));
+}
+
+TEST_CASE("the report of one factor at a time has its elasticities", "[apps][slow]")
+{
+  const ScratchFolder folder;
+  std::string         text = replaced(study_of_stack(), "full factorial", "one at a time");
+  text = replaced(text, "set Levels = 20e9, 30e9", "set Levels = 20e9, 30e9\n    set Reference = 20e9");
+  text = replaced(text, "set Levels = 0.5e-4, 1e-4", "set Levels = 0.5e-4, 1e-4\n    set Reference = 1e-4");
+  write_study(folder, text);
+  REQUIRE(study(folder, {"-o", "out"}).status == 0);
+  const std::string page = content_of(folder / "out/report.html");
+  INFO(page.substr(0, 3000));
+  const auto of_modulus = [&page](const std::string &factor) {
+    const std::string cell = "<td>" + factor + "</td><td class=\"n\">";
+    REQUIRE_THAT(page, Contains(cell));
+    return std::stod(page.substr(page.find(cell) + cell.size()));
+  };
+  CHECK(of_modulus("stiffness") == Approx(1).margin(0.01)); // it follows the modulus of the links
+  CHECK(of_modulus("limit") == Approx(0).margin(0.01));
+}
+
+TEST_CASE("under mpirun each process takes a part of a study, and its runs know nothing of that", "[apps][mpi][slow]")
+{
+  if (places::skipped_without_mpirun())
+    return;
+  const ScratchFolder folder;
+  write_study(folder, study_of_stack());
+  REQUIRE(study(folder, {"-o", "alone"}).status == 0);
+  const auto ranks = [&folder](const std::string &more) {
+    const std::string command = "cd " + folder.path().string() + " && " + places::mpirun() + " --oversubscribe -np 3 " +
+                                places::program() + " study study.prm -o ranks " + more + " > said 2>&1";
+    return std::system(command.c_str());
+  };
+  const int status = ranks("");
+  INFO(content_of(folder / "said"));
+  REQUIRE(status == 0);
+  CHECK(content_of(folder / "ranks/table.csv") == content_of(folder / "alone/table.csv"));
+  CHECK_THAT(content_of(folder / "said"), Contains("4 runs, 0 failed"));
+  CHECK(ranks("--restart") != 0);
+  CHECK_THAT(content_of(folder / "said"), Contains("neither --part nor --restart"));
+}
+
+TEST_CASE("a number that stands for a curve is read from its points in order", "[apps]")
+{
+  postprocess::CsvTable table;
+  table.names   = {"strain", "stress"};
+  table.units   = {"-", "Pa"};
+  table.columns = {{-1, -2, -4}, {-10, -30, -10}}; // crushed: both are negative
+  apps::CurveReading reading;
+  const auto         read = [&](const apps::CurveMeasure measure, const double from, const double to) {
+    reading.measure = measure;
+    reading.from    = from;
+    reading.to      = to;
+    return apps::read_curve(table, reading);
+  };
+  using apps::CurveMeasure;
+  CHECK(*read(CurveMeasure::peak, 0, 0) == -30);
+  CHECK(*read(CurveMeasure::place_of_peak, 0, 0) == -2);
+  CHECK(*read(CurveMeasure::value, 0, 3) == Approx(-20));
+  CHECK_FALSE(read(CurveMeasure::value, 0, 5));
+  CHECK(*read(CurveMeasure::area, 0, 0) == Approx(0.5 * 10 + 20 + 40)); // the work is positive
+  CHECK(*read(CurveMeasure::area, 1, 3) == Approx(20 + 25));
+  CHECK(*read(CurveMeasure::slope, 1, 2) == Approx(20));
+  CHECK_FALSE(read(CurveMeasure::area, 3, 5));
+  CHECK(reading.unit_in(table) == "Pa");
+  table.units[0]  = "s";
+  reading.measure = CurveMeasure::slope;
+  CHECK(reading.unit_in(table) == "Pa/s");
+}
+
 TEST_CASE("check of a study reads every run and says how many there are", "[apps]")
 {
   const ScratchFolder folder;
@@ -192,7 +300,7 @@ TEST_CASE("check of a study reads every run and says how many there are", "[apps
   const Outcome told = run(folder.path(), {"check", "study.prm"});
   INFO(told.err);
   CHECK(told.status == 0);
-  CHECK_THAT(told.out, Contains("4 runs over 2 factors") && Contains("particles"));
+  CHECK_THAT(told.out, Contains("4 runs over 2 factors") && Contains("particles") && Contains("altogether   roughly"));
   write_study(folder, replaced(study_of_stack(), "20e9, 30e9", "20e9, -1"));
   CHECK(run(folder.path(), {"check", "study.prm"}).status == 2);
 }

@@ -2,6 +2,7 @@
 // certified constants with standard errors. The certified sum of squares, to eleven digits, also guards the data as typed here.
 #include "apps/optimisation/least_squares_search.h"
 #include "apps/statistics/uncertainty.h"
+#include "tests/optimisation/bennett5.h"
 
 #include <catch2/catch.hpp>
 
@@ -111,7 +112,15 @@ namespace
        5.6427082397e3,
        [](const Eigen::VectorXd &b, double x) {
          return (b[0] + x * (b[1] + x * (b[2] + x * b[3]))) / (1 + x * (b[4] + x * (b[5] + x * b[6])));
-       }}};
+       }},
+      {"Bennett5",
+       optimisation_tests::bennett5_x,
+       optimisation_tests::bennett5_y,
+       {{-2000, 50, 0.8}, {-1500, 45, 0.85}},
+       {-2.5235058043e3, 4.6736564644e1, 9.3218483193e-1},
+       {2.9715175411e2, 1.2448871856, 2.0272299378e-2},
+       5.2404744073e-4,
+       [](const Eigen::VectorXd &b, double x) { return b[0] * std::pow(b[1] + x, -1 / b[2]); }}};
   }
 
   Eigen::VectorXd vector_of(const Constants &values)

@@ -165,7 +165,8 @@ namespace apps
                               wall_seconds,
                               left_out_of_balance(*model.particles.material.materials().bonds(model.particles.physics),
                                                   body->particles().specimen().particles().radius)};
-    return {found.summary(), found.text(), std::shared_ptr<const dem::ObservedSpecimen>(body, &body->particles().specimen())};
+    return {found.summary(), found.text(),
+            std::shared_ptr<const dem::ObservedSpecimen>(body, &body->particles().specimen())};
   }
 
   void CoupledRun::write_results(const std::filesystem::path &folder, const postprocess::CsvTable &series)

@@ -295,7 +295,8 @@ namespace apps
       wall_seconds,
       left_out_of_balance(*model.material.materials().bonds(model.physics), body->specimen().particles().radius),
       slow ? slow->test() : nullptr};
-    return {found.summary(), grown_text + found.text(), std::shared_ptr<const dem::ObservedSpecimen>(body, &body->specimen())};
+    return {found.summary(), grown_text + found.text(),
+            std::shared_ptr<const dem::ObservedSpecimen>(body, &body->specimen())};
   }
 
   void ParticlesRun::write_results(const std::filesystem::path &folder, const postprocess::CsvTable &series)

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <filesystem>
+
+namespace apps
+{
+  /**
+   * How often a model is run until constants are within one percent of their ranges of the truth: by plain finite differences, with updates
+   * of derivatives, after a cheap model, without derivatives, and by an emulator, on the problems of calibration_problems.h.
+   *
+   * Written to calibration.csv, .md and .png.
+   *
+   * @return exit status. @throws postprocess::OutputError.
+   */
+  int run_calibration_bench(const std::filesystem::path &folder);
+} // namespace apps

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace postprocess
+{
+  /** A page for a browser that is one file: pictures stand in its text, and it asks nothing of any other place. */
+  class HtmlPage
+  {
+  public:
+    explicit HtmlPage(const std::string &title);
+
+    void heading(const std::string &text);
+    void paragraph(const std::string &text);
+    void list(const std::vector<std::string> &lines); ///< nothing where there is none
+    void lines(const std::string &text);              ///< as they stand, in letters of one width
+    /** The same, folded away until they are asked for. */
+    void folded(const std::string &summary, const std::string &lines);
+    /** The first row names the columns; numbers are set to the right. */
+    void table(const std::vector<std::vector<std::string>> &rows);
+    /** A PNG file; nothing where there is none: a picture that could not be drawn costs no report. @throws base::InputError for one that cannot be read */
+    void picture(const std::filesystem::path &file, const std::string &caption);
+
+    /** The whole page. */
+    std::string text() const;
+
+  private:
+    std::string title, body;
+  };
+
+  /** Bytes as text of 64 letters (RFC 4648). */
+  std::string base64(const std::string &bytes);
+} // namespace postprocess
