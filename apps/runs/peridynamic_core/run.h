@@ -4,7 +4,7 @@
 #include "apps/results/run_result.h"
 #include "apps/results/run_work.h"
 #include "apps/runs/peridynamic_core/body.h"
-#include "apps/scene/scene.h"
+#include "apps/results/run_request.h"
 #include "postprocess/vtk/pvd.h"
 
 #include <memory>
