@@ -46,7 +46,7 @@ namespace apps
         postprocess::write_text(folder.running() / "residuals.csv", residuals_csv_of(analysis));
       draw(analysis, folder.running());
       folder.publish();
-      fmt::print("\nwritten to {}: analysis.json, tables and pictures\n", options.folder);
+      fmt::print("\nwritten to {}: analysis.json, tables and figures\n", options.folder);
       return exit_success;
     }
   } // namespace
@@ -81,7 +81,7 @@ namespace apps
       ->type_name("factor|pooled|error")
       ->check(CLI::IsMember(treatments));
     command
-      .add_option("-o,--output", options->folder, "Folder for analysis.json, tables and pictures; default: only words")
+      .add_option("-o,--output", options->folder, "Folder for analysis.json, tables and figures; default: only words")
       ->type_name("DIR");
     command.callback([options, &chosen] { chosen = [options] { return analyse_table(*options); }; });
   }

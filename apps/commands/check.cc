@@ -32,6 +32,7 @@ namespace apps
       if (is_study(options.scene))
         return check_study(options);
       const CheckedScene scene = read_scene(options.scene, options.overrides);
+      print_notes(scene);
       catch_interrupts();
       std::string forecast;
       with_places(*scene.root, [&] { forecast = scene.scene->forecast(); });

@@ -22,8 +22,7 @@ namespace apps
 
   void ReferencesSection::declare(Section &root)
   {
-    Section &s =
-      root.section("References", "Known answers: summary.json then tells the relative error of what was found");
+    Section &s = root.section("References", "Known answers: summary.json then gives the relative error of each figure");
     s.number("Peak force", peak_force, "N", Range::at_least(0), Need::optional)
       .means("Largest resultant between what touches; 0: not known")
       .housekeeping();

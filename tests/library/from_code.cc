@@ -97,7 +97,7 @@ subsection Initial velocity
     set Velocity z = -1
   end
 end
-subsection Gauges
+subsection Probes
   subsection height
     set Quantity  = position
     set Group     = ball

@@ -104,8 +104,8 @@ namespace apps
 
   void GaugesSection::declare(Section &root)
   {
-    root.section("Gauges", "One sub-section per number that is measured; its name is that of a column of series.csv")
-      .named_sections("GAUGE", [this](Section &opened) {
+    root.section("Probes", "One sub-section per number that is measured; its name is that of a column of series.csv")
+      .named_sections("PROBE", [this](Section &opened) {
         GaugeSection &added = gauges.emplace_back();
         added.name          = opened.name();
         added.declare(opened);
@@ -114,12 +114,12 @@ namespace apps
 
   namespace
   {
-    /** The name of a gauge is that of a column. */
+    /** The name of a probe is that of a column. */
     void refuse_name(const base::EntryPath &gauge, const std::string &name)
     {
       const auto fits = [](const unsigned char c) { return std::isalnum(c) || c == '_' || c == '-' || c == '.'; };
       if (!std::all_of(name.begin(), name.end(), fits))
-        gauge.refuse("the name of a gauge is that of a column: letters, digits and . _ - only.");
+        gauge.refuse("the name of a probe is that of a column: letters, digits and . _ - only.");
       if (name == "time" || name == "links" || name == "broken_links" || name == "contacts" ||
           name.rfind("energy_", 0) == 0)
         gauge.refuse("series.csv has a column of this name already. Choose another.");
@@ -132,9 +132,9 @@ namespace apps
                             const WallsSection            &walls) const
   {
     for (const GaugeSection &gauge : gauges)
-      refuse_name(root.at("Gauges").at(gauge.name), gauge.name);
+      refuse_name(root.at("Probes").at(gauge.name), gauge.name);
     for (const GaugeSection &gauge : gauges)
-      gauge.check(root.at("Gauges").at(gauge.name), names, motion, walls);
+      gauge.check(root.at("Probes").at(gauge.name), names, motion, walls);
   }
 
   namespace

@@ -9,7 +9,7 @@ namespace apps
 {
   void StopSection::declare(Section &s)
   {
-    s.text("Column", column, Need::required).means("Of series.csv: a gauge, or another number that it holds");
+    s.text("Column", column, Need::required).means("Of series.csv: a probe, or another number that it holds");
     s.choice("When", above, {{"above", true}, {"below", false}}, Need::optional)
       .means("The run ends when the column lies above the value, or below it");
     s.number("Value", value, "", Range(), Need::required).means("In the unit of the column");

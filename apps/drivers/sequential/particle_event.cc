@@ -97,13 +97,13 @@ namespace apps
     i.number("Span", impact.span, "m", Range::positive(), Need::required).means("Distance of the supports");
     i.number("Support width", impact.support_width, "m", Range::positive(), Need::required)
       .means("Bottom particles within half of it of a support cannot move up or down");
-    i.number("Striker radius", impact.striker_radius, "m", Range::positive(), Need::required).means("Of the sphere");
-    declare_list(i, "Striker velocities", velocities, "m/s", Need::required)
+    i.number("Impactor radius", impact.impactor_radius, "m", Range::positive(), Need::required).means("Of the sphere");
+    declare_list(i, "Impactor velocities", velocities, "m/s", Need::required)
       .means("One run each, numbers above 0 [m/s], separated by commas");
     i.number("Rest damping", impact.rest_damping, "-", Range::between(1e-3, 0.99), Need::optional)
-      .means("Local damping once the striker has left");
+      .means("Local damping once the impactor has left");
     i.number("Rest ratio", impact.rest_ratio, "-", Range::between(1e-12, 1), Need::optional)
-      .means("At rest when the kinetic energy is below this part of the striker's");
+      .means("At rest when the kinetic energy is below this part of the impactor's");
     i.number("Longest time", impact.longest, "s", Range::positive(), Need::required)
       .means("After which the run ends in any case");
   }
@@ -123,7 +123,7 @@ namespace apps
     if (source == Source::impact)
       {
         if (velocities_asked().empty())
-          s.at("Impact").refuse("Striker velocities", "expected numbers above 0, separated by commas.");
+          s.at("Impact").refuse("Impactor velocities", "expected numbers above 0, separated by commas.");
         return;
       }
     check_uniaxial(s.at("Uniaxial"));

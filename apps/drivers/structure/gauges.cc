@@ -7,9 +7,9 @@ namespace apps
   void DisplacementGaugesSection::declare(Section &root)
   {
     root
-      .section("Gauges",
+      .section("Probes",
                "One sub-section per displacement of particles that is recorded; its name is the column of series.csv")
-      .named_sections("GAUGE", [this](Section &opened) {
+      .named_sections("PROBE", [this](Section &opened) {
         DisplacementGauge &added = gauges.emplace_back();
         added.name               = opened.name();
         opened.text("Group", added.group, Need::optional).means("Of particles whose mean displacement is measured");
@@ -24,7 +24,7 @@ namespace apps
   {
     for (const DisplacementGauge &gauge : gauges)
       {
-        const base::EntryPath s = root.at("Gauges").at(gauge.name);
+        const base::EntryPath s = root.at("Probes").at(gauge.name);
         if (gauge.name.find_first_of(",\"") != std::string::npos)
           s.refuse("a name without commas and quotes, please: it is a column of series.csv.");
         names.require(s, "Group", gauge.group);
