@@ -51,7 +51,7 @@ namespace apps
           return c;
       throw base::InputError(
         "this bench needs a column " + name +
-        " of series.csv: a support \"load\" that is led along y (of the plate a boundary \"right\", "
+        " of series.csv: a support \"load\" that is driven along y (of the plate a boundary \"right\", "
         "along x), and a group of cells.");
     }
 
@@ -146,7 +146,7 @@ namespace apps
       return all;
     }
 
-    /** The beam, led so far. */
+    /** The beam, driven so far. */
     Benched beam(const MultiscaleBench &bench, std::vector<std::string> how)
     {
       how.insert(how.end(), bench.overrides.begin(), bench.overrides.end());
@@ -203,12 +203,12 @@ namespace apps
     struct AloneRow
     {
       std::size_t particles = 0, links = 0;
-      double      bound = 0, looked = 0;     ///< of an elastic point: told by the bound, by looking at all links [s]
+      double      bound = 0, looked = 0;     ///< of an elastic point: by the bound, by visiting all links [s]
       double      elastic = 0, damaging = 0; ///< of a promoted cell: an increment [s]
       double      sixteen[2] = {0, 0};       ///< of so many damaging cells, by one thread and by two [s]
     };
 
-    /** A cell in motion that is led to a damaging strain in so many steps, against the static answer there. */
+    /** A cell in motion that is driven to a damaging strain in so many steps, against the static answer there. */
     struct MovingRow
     {
       std::int64_t steps   = 0;

@@ -33,7 +33,7 @@ namespace apps
         if (columns[c].name == name)
           return c;
       throw base::InputError("this bench needs a column " + name +
-                             " of series.csv: a group \"load\" that is led along z, and a gauge "
+                             " of series.csv: a group \"load\" that is driven along z, and a probe "
                              "\"opening\".");
     }
 

@@ -82,7 +82,7 @@ namespace apps
       ->type_name("factor|pooled|error")
       ->check(CLI::IsMember(treatments));
     command
-      .add_option("-o,--output", options->folder, "Folder for analysis.json, tables and pictures; default: only words")
+      .add_option("-o,--output", options->folder, "Folder for analysis.json, tables and figures; default: only words")
       ->type_name("DIR");
     command.callback([options, &chosen] { chosen = [options] { return analyse_table(*options); }; });
   }

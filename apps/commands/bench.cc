@@ -32,7 +32,7 @@ namespace apps
     options->scene     = "apps/scenes/concrete_uniaxial.prm";
     options->folder    = "output/bench_uniaxial";
 
-    CLI::App &bench = *program.add_subcommand("bench", "Speed against error, as a table and a picture");
+    CLI::App &bench = *program.add_subcommand("bench", "Speed against error, as a table and a figure");
     bench.require_subcommand(1);
     add_calibration_bench(bench, chosen);
     add_confined_bench(bench, chosen);

@@ -12,7 +12,7 @@ namespace apps
     options->folder    = "output/bench_continuum";
     CLI::App &command =
       *bench.add_subcommand("continuum", "Finite elements over element, order and solver; beside a plain deal.II loop");
-    add_bench_folder(command, options->folder, "the tables and the picture");
+    add_bench_folder(command, options->folder, "the tables and the figure");
     command.add_flag("--quick", options->quick, "Small meshes only");
     command.footer("Under mpirun only the figures that depend on the ranks are measured and added to "
                    "continuum_ranks.csv of the folder.");

@@ -18,7 +18,7 @@ namespace apps
       ->type_name("SCENE");
     command
       .add_option("--plate", options->plate,
-                  "Scene that is led in equilibrium and in motion; default: " + options->plate)
+                  "Scene that is driven in equilibrium and in motion; default: " + options->plate)
       ->type_name("SCENE");
     add_overrides(command, options->overrides, "Set an entry of the scene; repeatable");
     add_threads(command, options->threads);

@@ -78,6 +78,7 @@ namespace apps
       if (is_of_kind(options.scene, "calibration"))
         return check_calibration(options);
       const CheckedScene scene = read_scene(options.scene, options.overrides);
+      print_notes(scene);
       catch_interrupts();
       std::string forecast;
       with_places(*scene.root, [&] { forecast = scene.scene->forecast(); });

@@ -135,7 +135,7 @@ namespace apps
     command.add_option("--directions", options->directions, "Loading directions around the circle; default: 96")
       ->type_name("N")
       ->check(CLI::Range(4, 100000));
-    command.add_option("-o,--output", options->folder, "Folder for table, picture and summary; default: only figures")
+    command.add_option("-o,--output", options->folder, "Folder for table, plot and summary; default: only numbers")
       ->type_name("DIR");
     command.callback([options, &chosen] { chosen = [options] { return envelope(*options); }; });
   }

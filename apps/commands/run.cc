@@ -26,6 +26,7 @@ namespace apps
       if (!options.output_folder.empty())
         overrides.push_back("Output folder=" + options.output_folder);
       const CheckedScene scene = read_scene(options.scene, overrides);
+      print_notes(scene);
       refuse_idle_ranks(scene);
       catch_interrupts();
 
@@ -45,7 +46,7 @@ namespace apps
   {
     const auto options = std::make_shared<RunOptions>();
     CLI::App  &command = *program.add_subcommand("run", "Run a scene and write its results");
-    command.footer("Results of a complete run stand in the folder: summary.json, series.csv, pictures, .pvd files for "
+    command.footer("Results of a complete run stand in the folder: summary.json, series.csv, figures, .pvd files for "
                    "ParaView, and\n"
                    "scene.prm with every entry. Until then they grow in its sub-folder \"running\", and results of an "
                    "earlier run stay\n"

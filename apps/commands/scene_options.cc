@@ -7,6 +7,8 @@
 #include <CLI/Validators.hpp>
 #include <fmt/format.h>
 
+#include <cstdio>
+
 namespace apps
 {
   void add_scene_options(CLI::App &command, SceneOptions &options)
@@ -42,6 +44,12 @@ namespace apps
                   "Threads to use; default: OMP_NUM_THREADS, or one per processor that is not busy")
       ->type_name("N")
       ->check(CLI::Range(1, 4096));
+  }
+
+  void print_notes(const CheckedScene &scene)
+  {
+    for (const std::string &note : scene.notes)
+      fmt::print(stderr, "note: {}\n", note);
   }
 
   void refuse_idle_ranks(const CheckedScene &scene)

@@ -32,6 +32,7 @@ namespace apps
       if (!sequential)
         throw base::InputError(scene.file + ": Kind = " + scene.kind +
                                ": a transfer wants a scene of kind sequential.");
+      print_notes(scene);
       refuse_idle_ranks(scene);
       catch_interrupts();
 

@@ -64,7 +64,7 @@ namespace apps
          "that is large for a particle. In mm? Write it in m, e.g. 1e-3"},
         {"m",
          {"clearance", "crack opening", "notch width", "skin thickness", "membrane ball", "grip thickness",
-          "smoothing depth", "roller radius", "striker radius", "support width", "glued layer", "fine size",
+          "smoothing depth", "roller radius", "impactor radius", "support width", "glued layer", "fine size",
           "coarse size", "nonlocal length"},
          1,
          beyond,

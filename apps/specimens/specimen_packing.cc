@@ -103,11 +103,10 @@ namespace apps
       std::string sizes;
       for (std::size_t k = 0; k < std::min<std::size_t>(pieces.size.size(), 5); ++k)
         sizes += (k > 0 ? ", " : "") + std::to_string(pieces.size[k]);
-      return fmt::format(
-        "the specimen hangs together in {} pieces at Specimen/Interaction ratio = {}: of {}{} particles; "
-        "{} of {} particles are linked to nothing",
-        pieces.size.size(), specimen.interaction_ratio, sizes, pieces.size.size() > 5 ? ", ..." : "", pieces.strays(),
-        pieces.piece.size());
+      return fmt::format("the specimen consists of {} pieces at Specimen/Interaction ratio = {}: of {}{} particles; "
+                         "{} of {} particles are linked to nothing",
+                         pieces.size.size(), specimen.interaction_ratio, sizes, pieces.size.size() > 5 ? ", ..." : "",
+                         pieces.strays(), pieces.piece.size());
     }
 
     /** The specimen with what becomes of its loose pieces. @throws base::InputError if it has some and must not */

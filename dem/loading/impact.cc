@@ -11,7 +11,7 @@ namespace dem
 {
   namespace
   {
-    /** Steps between two looks at the striker: it moves less than a thousandth of a radius meanwhile. */
+    /** Steps between two checks of the impactor: it moves less than a thousandth of a radius meanwhile. */
     constexpr std::int64_t steps_between_looks = 20;
 
     int blow_axis(const int dimension) { return dimension == 3 ? 2 : 1; }
@@ -47,15 +47,15 @@ namespace dem
     {
       require(p.span > 0, "Span", p.span, "must be above 0 m.");
       require(p.support_width > 0, "Support width", p.support_width, "must be above 0 m.");
-      require(p.striker_radius > 0, "Striker radius", p.striker_radius, "must be above 0 m.");
-      require(p.striker_velocity > 0, "Striker velocity", p.striker_velocity, "must be above 0 m/s.");
+      require(p.impactor_radius > 0, "Impactor radius", p.impactor_radius, "must be above 0 m.");
+      require(p.impactor_velocity > 0, "Impactor velocity", p.impactor_velocity, "must be above 0 m/s.");
       require(p.rest_damping > 0 && p.rest_damping < 1, "Rest damping", p.rest_damping, "must lie between 0 and 1.");
       require(p.rest_ratio > 0, "Rest ratio", p.rest_ratio, "must be above 0.");
       require(p.longest > 0, "Longest", p.longest, "must be above 0 s.");
     }
   } // namespace
 
-  Packing with_striker(const Packing &beam, const ImpactParameters &parameters, const int dimension)
+  Packing with_impactor(const Packing &beam, const ImpactParameters &parameters, const int dimension)
   {
     check(parameters);
     constexpr double clear   = 1.01; // of the sum of the radii: not yet in touch
@@ -65,9 +65,9 @@ namespace dem
     Packing          packing = beam;
     packing.periodic_cell.reset();
     Eigen::Vector3d centre = 0.5 * (extent.low + extent.high);
-    centre[up]             = extent.high[up] + clear * (largest + parameters.striker_radius);
+    centre[up]             = extent.high[up] + clear * (largest + parameters.impactor_radius);
     packing.centre.push_back(centre);
-    packing.radius.push_back(parameters.striker_radius);
+    packing.radius.push_back(parameters.impactor_radius);
     if (!packing.material.empty())
       packing.material.push_back(0);
     return packing;
@@ -76,24 +76,24 @@ namespace dem
   ImpactTest::ImpactTest(Specimen &body, const ImpactParameters &p)
     : specimen(&body)
     , parameters(p)
-    , striker(body.counts().particles - 1)
+    , impactor(body.counts().particles - 1)
     , up(blow_axis(body.parameters().physics.dimension))
   {
     check(p);
     if (body.parameters().loose != 1)
-      throw base::InputError("Impact: the specimen must have one loose particle, the striker.");
+      throw base::InputError("Impact: the specimen must have one loose particle, the impactor.");
     const ParticleOutput particles = body.particles();
-    striker_mass                   = particles.mass[striker];
+    impactor_mass                  = particles.mass[impactor];
     Eigen::Vector3d velocity       = Eigen::Vector3d::Zero();
-    velocity[up]                   = -p.striker_velocity;
-    body.set_velocity(striker, velocity, Eigen::Vector3d::Zero());
+    velocity[up]                   = -p.impactor_velocity;
+    body.set_velocity(impactor, velocity, Eigen::Vector3d::Zero());
 
-    const Extent extent = extent_of(particles.position, striker);
+    const Extent extent = extent_of(particles.position, impactor);
     const double middle = 0.5 * (extent.low[0] + extent.high[0]);
     for (const double side : {-0.5, 0.5})
       {
         Grip grip;
-        for (std::size_t i = 0; i < striker; ++i)
+        for (std::size_t i = 0; i < impactor; ++i)
           if (std::abs(particles.position[i][0] - (middle + side * p.span)) <= 0.5 * p.support_width &&
               particles.position[i][up] <= extent.low[up] + particles.radius[i])
             grip.particles.push_back(i);
@@ -105,14 +105,14 @@ namespace dem
       }
   }
 
-  double ImpactTest::striker_energy() const
+  double ImpactTest::impactor_energy() const
   {
-    return 0.5 * striker_mass * parameters.striker_velocity * parameters.striker_velocity;
+    return 0.5 * impactor_mass * parameters.impactor_velocity * parameters.impactor_velocity;
   }
 
   double ImpactTest::absorbed() const
   {
-    return striker_energy() - 0.5 * striker_mass * specimen->particles().velocity[striker].squaredNorm();
+    return impactor_energy() - 0.5 * impactor_mass * specimen->particles().velocity[impactor].squaredNorm();
   }
 
   ImpactSample ImpactTest::advance(const std::int64_t steps)
@@ -122,20 +122,20 @@ namespace dem
         const std::int64_t now = std::min(steps_between_looks, steps - taken);
         specimen->advance(now);
         taken += now;
-        look();
+        update();
       }
     const ParticleOutput particles = specimen->particles();
     const EnergyAccount  energy    = specimen->energy();
     ImpactSample         sample;
-    sample.time             = specimen->time();
-    sample.striker_velocity = -particles.velocity[striker][up];
-    sample.kinetic          = energy.kinetic - 0.5 * striker_mass * particles.velocity[striker].squaredNorm();
-    sample.mean_damage      = specimen->mean_damage();
-    sample.dissipated       = energy.damage + energy.friction + energy.damping + energy.released;
+    sample.time              = specimen->time();
+    sample.impactor_velocity = -particles.velocity[impactor][up];
+    sample.kinetic           = energy.kinetic - 0.5 * impactor_mass * particles.velocity[impactor].squaredNorm();
+    sample.mean_damage       = specimen->mean_damage();
+    sample.dissipated        = energy.damage + energy.friction + energy.damping + energy.released;
     return sample;
   }
 
-  void ImpactTest::look()
+  void ImpactTest::update()
   {
     if (specimen->time() >= parameters.longest)
       {
@@ -148,12 +148,12 @@ namespace dem
     if (episode == Episode::flight)
       return;
     const ParticleOutput particles = specimen->particles();
-    if (episode == Episode::contact && particles.velocity[striker][up] > 0)
+    if (episode == Episode::contact && particles.velocity[impactor][up] > 0)
       {
-        const Eigen::Vector3d &x    = particles.position[striker];
+        const Eigen::Vector3d &x    = particles.position[impactor];
         bool                   near = false;
-        for (std::size_t i = 0; i < striker && !near; ++i)
-          near = (particles.position[i] - x).norm() < particles.radius[i] + parameters.striker_radius;
+        for (std::size_t i = 0; i < impactor && !near; ++i)
+          near = (particles.position[i] - x).norm() < particles.radius[i] + parameters.impactor_radius;
         if (!near)
           {
             episode = Episode::rest;
@@ -163,8 +163,8 @@ namespace dem
     if (episode == Episode::rest)
       {
         const double kinetic =
-          specimen->energy().kinetic - 0.5 * striker_mass * particles.velocity[striker].squaredNorm();
-        if (kinetic < parameters.rest_ratio * striker_energy())
+          specimen->energy().kinetic - 0.5 * impactor_mass * particles.velocity[impactor].squaredNorm();
+        if (kinetic < parameters.rest_ratio * impactor_energy())
           episode = Episode::done;
       }
   }

@@ -237,7 +237,7 @@ namespace dem
             link.commit();
           }
         throw base::NumericalError("path, row " + std::to_string(r + 1) +
-                                   ": no motion was found that holds the forces asked for; the link is too weak for "
+                                   ": no motion was found that holds the prescribed forces; the link is too weak for "
                                    "them, or not held in some direction.");
       }
 

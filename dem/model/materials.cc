@@ -19,7 +19,7 @@ namespace dem
   {
     if (other.size() != size())
       throw base::InputError("Contacts: there are " + std::to_string(size()) +
-                             " materials, but contacts are told for " + std::to_string(other.size()) + ".");
+                             " materials, but contacts are given for " + std::to_string(other.size()) + ".");
     LinkMaterials both = *this;
     both.touching      = other.touching;
     return both;

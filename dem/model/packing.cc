@@ -39,7 +39,7 @@ namespace dem
       if (x.cwiseAbs().maxCoeff() > farthest * packing.radius[i])
         refuse(origin, i,
                "centre = " + place(x) +
-                 ": more than 1e9 radii from the origin, too far to tell places there apart. Move the packing "
+                 ": more than 1e9 radii from the origin, too far to distinguish places there. Move the packing "
                  "to the origin, or check the units: metres.");
     }
 

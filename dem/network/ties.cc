@@ -75,7 +75,7 @@ namespace dem
       qr.setPivotThreshold(rounding);
       qr.compute(columns);
       if (qr.info() != Eigen::Success)
-        throw base::NumericalError("ties: the conditions cannot be told apart.");
+        throw base::NumericalError("ties: the conditions cannot be distinguished.");
       std::vector<Eigen::Triplet<double>> kept;
       for (Eigen::Index k = 0; k < qr.rank(); ++k)
         for (Sparse::InnerIterator entry(columns, qr.colsPermutation().indices()[k]); entry; ++entry)

@@ -116,7 +116,7 @@ TEST_CASE("Couplings act between named boundaries and named groups, each with it
   scene = replaced(scene, "subsection Couplings\n",
                    "subsection Gravity\n  set Acceleration = 0, 0, -100\nend\nsubsection Couplings\n");
   scene = replaced(scene, "  subsection Initial velocity\n",
-                   "  subsection Gauges\n    subsection slides\n      set Quantity = velocity\n      set Group = ball\n"
+                   "  subsection Probes\n    subsection slides\n      set Quantity = velocity\n      set Group = ball\n"
                    "    end\n    subsection rolls\n      set Quantity = velocity\n      set Group = other\n    end\n"
                    "  end\n  subsection Initial velocity\n");
   scene = replaced(scene, "  subsection Materials\n",

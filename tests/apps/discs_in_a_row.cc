@@ -81,7 +81,7 @@ end
                   fmt::format("subsection Forces\n  subsection tip\n    set Force y = {} * (t < 0.02 ? 0.5*(1 - "
                               "cos(pi*t/0.02)) : 1)\n  end\nend\n",
                               force) +
-                  R"(subsection Gauges
+                  R"(subsection Probes
   subsection deflection
     set Quantity  = displacement
     set Group     = tip
@@ -154,7 +154,7 @@ namespace
     set Velocity x = -1e-3
   end
 end
-subsection Gauges
+subsection Probes
   subsection first
     set Quantity  = velocity
     set Group     = root
@@ -230,7 +230,7 @@ subsection Initial velocity
     set Velocity y = 1e-3
   end
 end
-subsection Gauges
+subsection Probes
   subsection swing
     set Quantity  = displacement
     set Group     = tip

@@ -81,7 +81,7 @@ TEST_CASE("Instants are strains, or strains and those unloaded to", "[apps][tran
     }
 }
 
-TEST_CASE("The specimen of an event is strained towards its instants, and a striker is no part of the beam",
+TEST_CASE("The specimen of an event is strained towards its instants, and an impactor is no part of the beam",
           "[apps][transfer]")
 {
   CHECK(apps::uniaxial_parameters(uniaxial("-1e-3"), -1e-3).strain_rate == -2);
@@ -110,9 +110,9 @@ TEST_CASE("Instants of two signs, an end beyond nothing and speeds of nothing ar
   CHECK_THAT(with({u + "Instants=1e-3, -2e-3"}), Contains("Instants") && Contains("one sign"));
   CHECK_THAT(with({u + "Instants=1e-3", u + "End strain=-1e-2"}), Contains("End strain") && Contains("the sign"));
   CHECK_THAT(with({u + "Instants=soon"}), Contains("Instants") && Contains("expected strains"));
-  CHECK_THAT(refusal({"Particles/Source=impact", i + "Span=0.1", i + "Support width=0.01", i + "Striker radius=0.01",
-                      i + "Striker velocities=0", i + "Longest time=1"}),
-             Contains("Striker velocities") && Contains("above 0"));
+  CHECK_THAT(refusal({"Particles/Source=impact", i + "Span=0.1", i + "Support width=0.01", i + "Impactor radius=0.01",
+                      i + "Impactor velocities=0", i + "Longest time=1"}),
+             Contains("Impactor velocities") && Contains("above 0"));
 }
 
 TEST_CASE("For whom a mapping law was found is read as it was written, also with the name that a continuum had before",
@@ -157,7 +157,7 @@ TEST_CASE("A mapping law is doubted where particles, continuum or test are not t
   CHECK_THAT(doubt_about_law(own_law(here.text()), from_files), Contains("the particles come from files"));
 }
 
-TEST_CASE("check of an impact counts the striker, and every link of the beam", "[apps][slow]")
+TEST_CASE("check of an impact counts the impactor, and every link of the beam", "[apps][slow]")
 {
   const ScratchFolder folder;
   std::string         packing = "x y z radius\n"; // simple cubic, 2.02 mm apart: 20 x 4 x 4

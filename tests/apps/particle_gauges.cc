@@ -54,9 +54,9 @@ namespace
 
 TEST_CASE("A probe of a group reads its centre of mass; distance is from there to the other's", "[apps][particles]")
 {
-  const TwoBalls balls({"Gauges/both/Quantity=position", "Gauges/both/Component=x", "Gauges/speed/Quantity=velocity",
-                        "Gauges/speed/Component=size", "Gauges/gap/Quantity=distance", "Gauges/gap/Group=large",
-                        "Gauges/gap/Other group=small", "Gauges/gap/Component=x"});
+  const TwoBalls balls({"Probes/both/Quantity=position", "Probes/both/Component=x", "Probes/speed/Quantity=velocity",
+                        "Probes/speed/Component=size", "Probes/gap/Quantity=distance", "Probes/gap/Group=large",
+                        "Probes/gap/Other group=small", "Probes/gap/Component=x"});
   CHECK(balls.gauge("both") == Approx(0.09 / 9).epsilon(1e-14));
   CHECK(balls.gauge("speed") == Approx(0.5 * 8 / 9).epsilon(1e-14));
   CHECK(balls.gauge("gap") == Approx(0.09).epsilon(1e-14));
@@ -65,8 +65,8 @@ TEST_CASE("A probe of a group reads its centre of mass; distance is from there t
 TEST_CASE("The kinetic energy of a group is of its translation and its spin, and of its own particles only",
           "[apps][particles]")
 {
-  const TwoBalls balls({"Gauges/thrown/Quantity=kinetic energy", "Gauges/thrown/Group=large",
-                        "Gauges/still/Quantity=kinetic energy", "Gauges/still/Group=small"});
+  const TwoBalls balls({"Probes/thrown/Quantity=kinetic energy", "Probes/thrown/Group=large",
+                        "Probes/still/Quantity=kinetic energy", "Probes/still/Group=small"});
   const double   mass = 2500 * 4.0 / 3 * M_PI * 1e-6;
   CHECK(balls.gauge("thrown") == Approx(0.5 * mass * (0.25 + 0.4 * 1e-4 * 400)).epsilon(1e-13));
   CHECK(balls.gauge("still") == 0);
@@ -75,8 +75,8 @@ TEST_CASE("The kinetic energy of a group is of its translation and its spin, and
 
 TEST_CASE("Where nothing touches, a force is zero and a ratio of forces is no number", "[apps][particles]")
 {
-  const TwoBalls balls({"Gauges/push/Quantity=force", "Gauges/push/Group=small",
-                        "Gauges/calm/Quantity=unbalanced ratio", "Gauges/torn/Quantity=broken links"});
+  const TwoBalls balls({"Probes/push/Quantity=force", "Probes/push/Group=small",
+                        "Probes/calm/Quantity=unbalanced ratio", "Probes/torn/Quantity=broken links"});
   CHECK(balls.gauge("push") == 0);
   CHECK(std::isnan(balls.gauge("calm")));
   CHECK(balls.gauge("torn") == 0);
@@ -84,7 +84,7 @@ TEST_CASE("Where nothing touches, a force is zero and a ratio of forces is no nu
 
 TEST_CASE("A row has a number for each column, its time first and its energies last", "[apps][particles]")
 {
-  const TwoBalls balls({"Gauges/speed/Quantity=velocity"});
+  const TwoBalls balls({"Probes/speed/Quantity=velocity"});
   const auto     columns = balls.model.columns();
   REQUIRE(balls.body->row().size() == columns.size());
   CHECK(columns.front().name == "time");

@@ -34,7 +34,7 @@ subsection Walls
     set Effective modulus = 1e6
   end
 end
-subsection Gauges
+subsection Probes
   subsection height
     set Quantity  = position
     set Component = z
@@ -165,8 +165,8 @@ TEST_CASE("A wall moves as its formula says, and a force by formula pushes", "[a
   CHECK(pushed.balance_error() < 1e-3);
   std::filesystem::remove_all(folder / "results");
   const Results lifted = results_of(folder, "x.prm",
-                                    {"Walls/floor/Velocity z=0.2*t", "Gauges/way/Quantity=wall travel",
-                                     "Gauges/way/Wall=floor", "Time/Damping=0.3", "Output/Snapshots=3"});
+                                    {"Walls/floor/Velocity z=0.2*t", "Probes/way/Quantity=wall travel",
+                                     "Probes/way/Wall=floor", "Time/Damping=0.3", "Output/Snapshots=3"});
   CHECK(lifted.figure("way", "end") == Approx(0.1 * time * time).epsilon(1e-3));
   CHECK(lifted.figure("height", "end") == Approx(0.01 + 0.1 * time * time).margin(2e-4));
   CHECK(std::filesystem::exists(folder / "results/particles_walls.pvd"));
@@ -192,6 +192,6 @@ TEST_CASE("Walls that cannot be are refused with the place and the reason", "[ap
   refused({wall + "Control=force", wall + "Direction=0, 0, 1", wall + "Largest speed=1"}, "Say how hard");
   refused({wall + "Shape=file", wall + "File=bad.stl"}, "bad.stl:2");
   refused({wall + "Shape=file", wall + "File=none.stl"}, "is no STL file");
-  refused({"Gauges/floor/Wall=flor"}, "there is no such wall. Did you mean \"floor\"?");
+  refused({"Probes/floor/Wall=flor"}, "there is no such wall. Did you mean \"floor\"?");
   refused({"Gravity/Initial equilibrium=static"}, "walls only push");
 }

@@ -38,7 +38,7 @@ subsection Initial velocity
     set Velocity x = 0.5
   end
 end
-subsection Gauges
+subsection Probes
   subsection first
     set Quantity  = velocity
     set Group     = first
@@ -286,11 +286,11 @@ TEST_CASE("What a scene of particles cannot mean is refused with the place and t
   };
   refused({"Motion/frist/Velocity x=1"}, "must be named after a group, and there is none of that name. Did you mean "
                                          "\"first\"?");
-  refused({"Gauges/gap/Other group=third"}, "there is no such group");
-  refused({"Gauges/pull/Quantity=reaction", "Gauges/pull/Group=first"},
+  refused({"Probes/gap/Other group=third"}, "there is no such group");
+  refused({"Probes/pull/Quantity=reaction", "Probes/pull/Group=first"},
           "only a group of section Motion has a reaction");
-  refused({"Gauges/time/Quantity=velocity"}, "series.csv has a column of this name already");
-  refused({"Gauges/my gauge/Quantity=velocity"}, "the name of a gauge is that of a column");
+  refused({"Probes/time/Quantity=velocity"}, "series.csv has a column of this name already");
+  refused({"Probes/my gauge/Quantity=velocity"}, "the name of a probe is that of a column");
   refused({"Stop/x/Column=frist", "Stop/x/Value=1"}, "series.csv has no such column. Did you mean \"first\"?");
   refused({"Output/Curve vertical=frist"}, "series.csv has no such column");
   refused({"Motion/first/Velocity x=0", "Motion/all/Velocity x=t"}, "is in group");
@@ -365,8 +365,8 @@ TEST_CASE("The force on a group is all that changes its momentum, and of its own
   folder.file("x.prm", collision);
   const Results found =
     results_of(folder, (folder / "x.prm").string(),
-               {"Gauges/push/Quantity=force", "Gauges/push/Group=second", "Gauges/push/Component=x",
-                "Gauges/nothing/Quantity=force", "Gauges/nothing/Group=all", "Output/Samples=2000"});
+               {"Probes/push/Quantity=force", "Probes/push/Group=second", "Probes/push/Component=x",
+                "Probes/nothing/Quantity=force", "Probes/nothing/Group=all", "Output/Samples=2000"});
   const auto  &time = found.series.column("time"), &push = found.series.column("push");
   const double mass    = 2500 * 4.0 / 3 * pi * 1e-6;
   double       impulse = 0;

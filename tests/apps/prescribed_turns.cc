@@ -103,7 +103,7 @@ TEST_CASE("A group turns about an axis that moves, as one rigid body, spins incl
 TEST_CASE("A turn about one axis leaves free what it does not move", "[apps][particles]")
 {
   LedBalls balls({"Motion/small/Turn z=30", "Gravity/Acceleration=0, 0, -9.81", "Gravity/Initial equilibrium=none",
-                  "Gauges/weight/Quantity=reaction", "Gauges/weight/Group=small", "Gauges/weight/Component=z"});
+                  "Probes/weight/Quantity=reaction", "Probes/weight/Group=small", "Probes/weight/Component=z"});
   balls.body->advance_to(0.02);
   CHECK(balls.body->row().at(1) == 0); // it falls, nothing holds it
   const double t = balls.time(), fallen = balls.place(1).z() - 0.04;
@@ -202,7 +202,7 @@ subsection Motion
     set Turn z = 0.5
   end
 end
-subsection Gauges
+subsection Probes
   subsection torque
     set Quantity  = reaction torque
     set Group     = high
@@ -252,8 +252,8 @@ TEST_CASE("The torque of a held group is that of its weights about the given poi
 {
   LedBalls     balls({"Motion/all/Velocity x=0", "Motion/all/Velocity y=0", "Motion/all/Velocity z=0",
                       "Gravity/Acceleration=0, 0, -9.81", "Gravity/Initial equilibrium=none",
-                      "Gauges/torque/Quantity=reaction torque", "Gauges/torque/Point=0.01, 0, 0",
-                      "Gauges/torque/Component=y"});
+                      "Probes/torque/Quantity=reaction torque", "Probes/torque/Point=0.01, 0, 0",
+                      "Probes/torque/Component=y"});
   const double mass = 2500 * 4.0 / 3 * M_PI * 1e-6;
   balls.body->advance(3);
   // (place - point) x force upwards.

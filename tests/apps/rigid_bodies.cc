@@ -47,7 +47,7 @@ subsection Forces
     set Force x = 0.1
   end
 end
-subsection Gauges
+subsection Probes
   subsection speed
     set Quantity  = velocity
     set Group     = stone
@@ -82,8 +82,8 @@ TEST_CASE("Bodies filled with pebbles weigh on a floor what their shapes weigh, 
   std::vector<std::string> changes = {"Output/Snapshots=0"};
   for (const std::string body : {"tetrahedron", "octahedron", "brick"})
     changes.insert(changes.end(),
-                   {"Gauges/" + body + "_height/Quantity=position", "Gauges/" + body + "_height/Group=" + body,
-                    "Gauges/" + body + "_height/Component=z"});
+                   {"Probes/" + body + "_height/Quantity=position", "Probes/" + body + "_height/Group=" + body,
+                    "Probes/" + body + "_height/Component=z"});
   const Results found = results_of(folder, tumbling, changes);
   // Cube of 20 mm, tetrahedron (edge 20 sqrt 2), octahedron (edge 15 sqrt 2), brick of 30 mm x 15 mm x 10 mm.
   const double volume = 8e-6 + std::pow(0.02 * std::sqrt(2.0), 3) / (6 * std::sqrt(2.0)) +
@@ -139,8 +139,8 @@ TEST_CASE("A body whose particles are given a turn turns as a whole, and gauges 
                                           "Time/End time=2e-4",
                                           "Output/Samples=4",
                                           "Output/Snapshots=0",
-                                          "Gauges/turning/Quantity=kinetic energy",
-                                          "Gauges/turning/Group=brick"};
+                                          "Probes/turning/Quantity=kinetic energy",
+                                          "Probes/turning/Group=brick"};
   const double mass = 2650 * 4.5e-6, I = mass / 12 * (0.03 * 0.03 + 0.01 * 0.01), energy = 0.5 * I * 1e4;
   CHECK(energy == Approx(4.969e-3).epsilon(1e-3));
   for (const std::vector<std::string> &field :
@@ -165,9 +165,9 @@ TEST_CASE("The place of a body is that of its shape, wherever its particles lie"
   folder.file("x.prm", plate);
   const Results found =
     results_of(folder, "x.prm",
-               {"Forces/stone/Force x=0", "Initial velocity/stone/Velocity y=0.3", "Gauges/x/Quantity=position",
-                "Gauges/x/Group=stone", "Gauges/x/Component=x", "Gauges/way/Quantity=displacement",
-                "Gauges/way/Group=stone", "Gauges/way/Component=y"});
+               {"Forces/stone/Force x=0", "Initial velocity/stone/Velocity y=0.3", "Probes/x/Quantity=position",
+                "Probes/x/Group=stone", "Probes/x/Component=x", "Probes/way/Quantity=displacement",
+                "Probes/way/Group=stone", "Probes/way/Component=y"});
   // A square of 30 by 20 mm and a triangle of 10 by 20 beside it.
   const double centre = (6 * 0.015 + 1 * (0.03 + 0.01 / 3)) / 7;
   for (const double x : found.series.column("x"))

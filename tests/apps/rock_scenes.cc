@@ -311,5 +311,5 @@ TEST_CASE("what a laboratory cannot do is refused with the entry", "[apps][labor
   is_refused(folder, rock("compression"), {"Laboratory/Smoothing depth=0.0006"}, "up to half its radius");
   is_refused(folder, rock("tension"), {"Laboratory/Glued layer=0.03"}, "would meet");
   is_refused(folder, rock("compression"), {"Gravity/Acceleration=0, -9.81, 0"}, "would not know of an equilibrium");
-  is_refused(folder, rock("compression"), {"Gauges/stress/Quantity=kinetic energy"}, "a gauge has that name");
+  is_refused(folder, rock("compression"), {"Probes/stress/Quantity=kinetic energy"}, "a probe has that name");
 }

@@ -92,7 +92,7 @@ TEST_CASE("A structure that cannot be driven is refused by name", "[apps][struct
   refused({"Supports/load/Displacement z=-t*t"}, "times t, the load factor");
   refused({"Supports/load/Displacement z=-1e-5"}, "times t, the load factor");
   refused({"Supports/lode/Displacement z=-t"}, "Did you mean");
-  refused({"Gauges/opening/Other group=lip"}, "no such group");
+  refused({"Probes/opening/Other group=lip"}, "no such group");
   refused({"Continuum/Model/Analysis=explicit"}, "Analysis");
   refused({"Continuum/Model/Large displacement=true"}, "Large displacement");
   refused({"Continuum/Supports/left support/Displacement z=1e-6"}, "in proportion to t");

@@ -27,7 +27,7 @@ subsection Motion
     set Velocity z = 0
   end
 end
-subsection Gauges
+subsection Probes
   subsection place
     set Quantity  = position
     set Component = x

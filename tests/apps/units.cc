@@ -60,7 +60,7 @@ TEST_CASE("Numbers in lists are questioned, and taken where each names its unit"
     GENERATE(OddNumber{"mortar_window.prm", "Specimen/Genesis/Classes", "1: 0.4, 2-3: 0.6", "m", "In mm?"},
              OddNumber{"concrete_aggregates.prm", "Specimen/Genesis/Aggregates/Sizes", "5, 7, 9", "m", "In mm?"},
              OddNumber{"transfer_compression.prm", "Particles/Uniaxial/Instants", "-1 > -0.5", "-", "In per cent?"},
-             OddNumber{"impact_beam.prm", "Particles/Impact/Striker velocities", "2000", "m/s", "In mm/s?"},
+             OddNumber{"impact_beam.prm", "Particles/Impact/Impactor velocities", "2000", "m/s", "In mm/s?"},
              OddNumber{"wave_transmission.prm", "Waves/Wavelengths", "400, 640", "m", "that is long. In mm?"},
              OddNumber{"tumbling_bodies.prm", "More particles/brick/Corners",
                        "-15, -7, -5; 15, -7, -5; -15, 7, -5; 15, 7, -5; -15, -7, 6; 15, -7, 6; -15, 7, 6; 15, 7, 6",

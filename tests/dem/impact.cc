@@ -53,30 +53,30 @@ namespace
     dem::ImpactParameters p;
     p.span             = 0.06;
     p.support_width    = 3 * r;
-    p.striker_radius   = 5e-3;
-    p.striker_velocity = velocity;
+    p.impactor_radius   = 5e-3;
+    p.impactor_velocity = velocity;
     p.longest          = 5e-3;
     return p;
   }
 } // namespace
 
-TEST_CASE("a striker flies, hits, rebounds and leaves, and the energies balance", "[dem][loading]")
+TEST_CASE("an impactor flies, hits, rebounds and leaves, and the energies balance", "[dem][loading]")
 {
   const auto      parameters = blow(1.0);
-  dem::Specimen   body(dem::with_striker(beam(), parameters, 3), specimen_of(), concrete(1.0)); // elastic
+  dem::Specimen   body(dem::with_impactor(beam(), parameters, 3), specimen_of(), concrete(1.0)); // elastic
   dem::ImpactTest test(body, parameters);
   const double    mass = 2400 * 4.0 / 3.0 * M_PI * std::pow(5e-3, 3);
-  CHECK(test.striker_energy() == Approx(0.5 * mass).epsilon(1e-12));
-  CHECK(body.links().ends.size() == body.counts().links); // links of the beam alone: the striker has none
+  CHECK(test.impactor_energy() == Approx(0.5 * mass).epsilon(1e-12));
+  CHECK(body.links().ends.size() == body.counts().links); // links of the beam alone: the impactor has none
   for (const auto &ends : body.links().ends)
     REQUIRE(ends[1] < 320);
   double lowest = 1;
   while (!test.finished())
-    lowest = std::min(lowest, test.advance(200).striker_velocity);
+    lowest = std::min(lowest, test.advance(200).impactor_velocity);
   CHECK(body.time() < parameters.longest); // it came to rest, the clock did not run out
   CHECK(lowest < -0.1);                    // rebound
   CHECK(test.absorbed() > 0);
-  CHECK(test.absorbed() < test.striker_energy());
+  CHECK(test.absorbed() < test.impactor_energy());
   CHECK(body.energy().balance_error() < 1e-3);
   CHECK(body.mean_damage() == 0);
 }
@@ -87,7 +87,7 @@ TEST_CASE("a harder blow leaves more damage", "[dem][loading]")
   for (const double velocity : {3.0, 8.0, 16.0})
     {
       const auto      parameters = blow(velocity);
-      dem::Specimen   body(dem::with_striker(beam(), parameters, 3), specimen_of(), concrete(1e-4));
+      dem::Specimen   body(dem::with_impactor(beam(), parameters, 3), specimen_of(), concrete(1e-4));
       dem::ImpactTest test(body, parameters);
       while (!test.finished())
         test.advance(1000);
@@ -101,9 +101,9 @@ TEST_CASE("a harder blow leaves more damage", "[dem][loading]")
 TEST_CASE("impact parameters out of range are refused by name", "[dem][loading]")
 {
   auto parameters = blow(0);
-  CHECK_THROWS_WITH(dem::with_striker(beam(), parameters, 3), Catch::Contains("Impact/Striker velocity = 0"));
+  CHECK_THROWS_WITH(dem::with_impactor(beam(), parameters, 3), Catch::Contains("Impact/Impactor velocity = 0"));
   parameters      = blow(1);
   parameters.span = 1;
-  dem::Specimen body(dem::with_striker(beam(), parameters, 3), specimen_of(), concrete(1e-4));
+  dem::Specimen body(dem::with_impactor(beam(), parameters, 3), specimen_of(), concrete(1e-4));
   CHECK_THROWS_WITH(dem::ImpactTest(body, parameters), Catch::Contains("a support would hold no particle"));
 }

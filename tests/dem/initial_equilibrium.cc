@@ -339,19 +339,19 @@ TEST_CASE("without gravity the packing is the equilibrium", "[dem][statics][grav
   CHECK(specimen.energy().elastic == 0);
 }
 
-TEST_CASE("a beam sags under its weight before it is hit; the striker waits", "[dem][statics][gravity]")
+TEST_CASE("a beam sags under its weight before it is hit; the impactor waits", "[dem][statics][gravity]")
 {
   omp_set_num_threads(1);
   dem::ImpactParameters impact;
   impact.span             = 0.036;
   impact.support_width    = 2.5e-3;
-  impact.striker_radius   = 2e-3;
-  impact.striker_velocity = 1;
+  impact.impactor_radius   = 2e-3;
+  impact.impactor_velocity = 1;
   impact.longest          = 1e-4;
   auto p                  = with_gravity(cluster::bonded(1.5), {0, 0, -500});
   p.loose                 = 1;
   const auto      beam    = cluster::cubic_lattice(21, 3, 3, r);
-  const auto      packing = dem::with_striker(beam, impact, 3);
+  const auto      packing = dem::with_impactor(beam, impact, 3);
   dem::Specimen   specimen(packing, p, cluster::concrete());
   dem::ImpactTest test(specimen, impact);
   const auto      found = specimen.find_equilibrium();

@@ -502,7 +502,7 @@ subsection Gravity
   set Acceleration        = 0, 0, -9.81
   set Initial equilibrium = none
 end
-subsection Gauges
+subsection Probes
   subsection press
     set Quantity  = wall force
     set Wall      = lid

@@ -51,7 +51,7 @@ subsection Initial velocity
     set Velocity z = -1
   end
 end
-subsection Gauges
+subsection Probes
   subsection height
     set Quantity  = position
     set Group     = ball

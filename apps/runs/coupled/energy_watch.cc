@@ -109,11 +109,11 @@ namespace apps
                         name, now.time, *most - balance.absorbed, said->energy_limit, largest));
         // What would be there twice and is in neither is a gain that is booked.
         if (balance.twice > of_both + said->energy_limit * largest)
-          throw StoppedShort(
-            fmt::format("{}: at {:.6g} s bonds of slaves would have stored {:.3g} J in elements, of the {:.3g} "
-                        "J that both sides store: the body turns further than small displacements. Set "
-                        "Continuum/Model/Large displacement = true, or take Method = multipliers.",
-                        name, now.time, balance.twice, of_both));
+          throw StoppedShort(fmt::format(
+            "{}: at {:.6g} s bonds of constrained particles would have stored {:.3g} J in elements, of the {:.3g} "
+            "J that both sides store: the body turns further than small displacements. Set "
+            "Continuum/Model/Large displacement = true, or take Method = multipliers.",
+            name, now.time, balance.twice, of_both));
         const std::size_t damaged = volume->damaged_bonds();
         if (static_cast<double>(damaged) > said->damage_limit * static_cast<double>(volume->bonds()))
           throw StoppedShort(

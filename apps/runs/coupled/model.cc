@@ -100,7 +100,7 @@ namespace apps
     std::sort(names.begin(), names.end());
     if (const auto twice = std::adjacent_find(names.begin(), names.end()); twice != names.end())
       throw base::InputError("column " + *twice +
-                             " of series.csv would be there twice. Name a gauge or a coupling otherwise.");
+                             " of series.csv would be there twice. Name a probe or a coupling otherwise.");
   }
 
   std::pair<std::string, std::string> CoupledModel::curve(const std::vector<postprocess::SeriesColumn> &columns,

@@ -57,12 +57,12 @@ namespace apps
 
   namespace
   {
-    /** The name of a gauge is that of a column. */
+    /** The name of a probe is that of a column. */
     void refuse_name(const base::EntryPath &gauge, const std::string &name)
     {
       const auto fits = [](const unsigned char c) { return std::isalnum(c) || c == '_' || c == '-' || c == '.'; };
       if (!std::all_of(name.begin(), name.end(), fits))
-        gauge.refuse("the name of a gauge is that of a column: letters, digits and . _ - only.");
+        gauge.refuse("the name of a probe is that of a column: letters, digits and . _ - only.");
       if (name == "time" || name == "links" || name == "broken_links" || name == "contacts" ||
           name.rfind("energy_", 0) == 0)
         gauge.refuse("series.csv has a column of this name already. Choose another.");
@@ -75,9 +75,9 @@ namespace apps
                             const WallsSection            &walls) const
   {
     for (const GaugeSection &gauge : gauges)
-      refuse_name(root.at("Gauges").at(gauge.name), gauge.name);
+      refuse_name(root.at("Probes").at(gauge.name), gauge.name);
     for (const GaugeSection &gauge : gauges)
-      gauge.check(root.at("Gauges").at(gauge.name), names, motion, walls);
+      gauge.check(root.at("Probes").at(gauge.name), names, motion, walls);
   }
 
   namespace

@@ -31,7 +31,7 @@ namespace apps
     for (const postprocess::SeriesColumn &column : columns())
       if (std::find(other.begin(), other.end(), column.name) != other.end())
         s.refuse("Test", "it adds a column \"" + column.name +
-                           "\" to series.csv, and a gauge has that name. Rename the gauge.");
+                           "\" to series.csv, and a probe has that name. Rename the probe.");
   }
 
   dem::LabParameters SpecimenTestSection::parameters(const dem::Vessel &vessel, const double thickness) const

@@ -157,7 +157,7 @@ namespace apps
     public:
       ImpactCase(const ParticleEventSection &event, const dem::Packing &packing, const double velocity)
         : parameters(with_velocity(event.impact, velocity))
-        , specimen(dem::with_striker(packing, parameters, event.physics.dimension),
+        , specimen(dem::with_impactor(packing, parameters, event.physics.dimension),
                    event.specimen_parameters(),
                    event.material.materials())
         , test(specimen, parameters)
@@ -179,8 +179,8 @@ namespace apps
       ParticleOutcome outcome() const override
       {
         ParticleOutcome result;
-        result.name     = fmt::format("{:.3g} m/s", parameters.striker_velocity);
-        result.severity = test.striker_energy();
+        result.name     = fmt::format("{:.3g} m/s", parameters.impactor_velocity);
+        result.severity = test.impactor_energy();
         result.absorbed = test.absorbed();
         notes.put_into(result);
         result.state = dem::discrete_state(specimen);
@@ -197,7 +197,7 @@ namespace apps
     private:
       static dem::ImpactParameters with_velocity(dem::ImpactParameters p, const double velocity)
       {
-        p.striker_velocity = velocity;
+        p.impactor_velocity = velocity;
         return p;
       }
 

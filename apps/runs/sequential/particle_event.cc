@@ -53,7 +53,7 @@ namespace apps
     if (source == Source::impact)
       {
         if (velocities_asked().empty())
-          s.at("Impact").refuse("Striker velocities", "expected numbers above 0, separated by commas.");
+          s.at("Impact").refuse("Impactor velocities", "expected numbers above 0, separated by commas.");
         return;
       }
     check_uniaxial(s.at("Uniaxial"));

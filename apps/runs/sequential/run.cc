@@ -173,7 +173,7 @@ namespace apps
       return "";
     std::vector<double> radius = ground.packing.radius;
     if (event.source == ParticleEventSection::Source::impact)
-      radius.push_back(event.impact.striker_radius);
+      radius.push_back(event.impact.impactor_radius);
     return left_out_of_balance(*event.material.materials().bonds(event.physics), radius);
   }
 

@@ -8,7 +8,7 @@ namespace apps
   {
     for (const DisplacementGauge &gauge : gauges)
       {
-        const base::EntryPath s = root.at("Gauges").at(gauge.name);
+        const base::EntryPath s = root.at("Probes").at(gauge.name);
         if (gauge.name.find_first_of(",\"") != std::string::npos)
           s.refuse("a name without commas and quotes, please: it is a column of series.csv.");
         names.require(s, "Group", gauge.group);

@@ -99,7 +99,7 @@ namespace apps
     std::sort(names.begin(), names.end());
     if (const auto twice = std::adjacent_find(names.begin(), names.end()); twice != names.end())
       throw base::InputError("column " + *twice +
-                             " of series.csv would be there twice. Name a gauge or a group otherwise.");
+                             " of series.csv would be there twice. Name a probe or a group otherwise.");
     const auto gauges = model.gauges.columns();
     return {
       chosen_column(names, "Curve horizontal", model.horizontal, gauges.empty() ? "load_factor" : gauges.front().name),

@@ -9,7 +9,7 @@ namespace apps
   void declare(Section &root, ReferencesSection &references)
   {
     Section &s =
-      root.section("References", "Known answers: summary.json then tells the relative error of what was found");
+      root.section("References", "Known answers: summary.json then gives the relative error of each figure");
     s.number("Peak force", references.peak_force, "N", Range::at_least(0), Need::optional)
       .means("Largest resultant between what touches; 0: not known")
       .housekeeping();

@@ -5,6 +5,7 @@
 #include "apps/scene/overrides.h"
 #include "apps/scene/parameter_file.h"
 #include "apps/scene/reader.h"
+#include "apps/scene/renamed.h"
 #include "apps/text/nearest_name.h"
 #include "apps/text/same_name.h"
 #include "apps/text/time_table.h"
@@ -135,6 +136,7 @@ namespace apps
     std::vector<Assignment> assignments = read_parameter_file(file);
     for (Assignment &assignment : read_overrides(overrides))
       assignments.push_back(std::move(assignment));
+    const std::vector<std::string> notes = use_present_names(assignments);
 
     Assignment *named = kind_in(assignments);
     if (!named)
@@ -148,6 +150,7 @@ namespace apps
     CheckedScene read  = declared(*kind);
     read.file          = file;
     read.overrides     = overrides;
+    read.notes         = notes;
     read.output_folder = "output/" + std::filesystem::path(file).stem().string();
     declare_all(read);
     refuse_of_other_kinds(read, assignments);

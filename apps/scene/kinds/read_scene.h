@@ -17,6 +17,7 @@ namespace apps
     std::string              kind;          ///< entry "Kind"
     std::string              output_folder; ///< entry "Output folder"
     std::vector<std::string> overrides;     ///< as typed
+    std::vector<std::string> notes;         ///< of old names in it (apps/scene/renamed.h)
     std::unique_ptr<Section> root;
     std::unique_ptr<Scene>   scene;
   };
@@ -28,7 +29,7 @@ namespace apps
    */
   CheckedScene read_scene(const std::string &file, const std::vector<std::string> &overrides);
 
-  /** What a run of the scene is asked, but for resuming and the changes as typed. */
+  /** The request for a run of the scene, without resuming and the changes as typed. */
   RunRequest request_of(const CheckedScene &scene);
 
   /** The parameters of a kind, unread: what `breccia describe` shows. @throws base::InputError for an unknown kind. */

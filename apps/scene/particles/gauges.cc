@@ -60,8 +60,8 @@ namespace apps
 
   void declare(Section &root, GaugesSection &gauges)
   {
-    root.section("Gauges", "One sub-section per number that is measured; its name is that of a column of series.csv")
-      .named_sections("GAUGE", [&gauges](Section &opened) {
+    root.section("Probes", "One sub-section per number that is measured; its name is that of a column of series.csv")
+      .named_sections("PROBE", [&gauges](Section &opened) {
         GaugeSection &added = gauges.gauges.emplace_back();
         added.name          = opened.name();
         declare(opened, added);

@@ -40,7 +40,7 @@ namespace apps
         .housekeeping();
       section.text("Curve vertical", vertical, Need::optional)
         .means(
-          "Column of series.csv for curve.png; empty: the stress of a test, the first gauge, or the kinetic energy")
+          "Column of series.csv for curve.png; empty: the stress of a test, the first probe, or the kinetic energy")
         .housekeeping();
     }
   } // namespace

@@ -6,7 +6,7 @@ namespace apps
 {
   void declare(Section &s, StopSection &stop)
   {
-    s.text("Column", stop.column, Need::required).means("Of series.csv: a gauge, or another number that it holds");
+    s.text("Column", stop.column, Need::required).means("Of series.csv: a probe, or another number that it holds");
     s.choice("When", stop.above, {{"above", true}, {"below", false}}, Need::optional)
       .means("The run ends when the column lies above the value, or below it");
     s.number("Value", stop.value, "", Range(), Need::required).means("In the unit of the column");

@@ -51,14 +51,14 @@ namespace apps
         .means("Distance of the supports");
       i.number("Support width", particle_event.impact.support_width, "m", Range::positive(), Need::required)
         .means("Bottom particles within half of it of a support cannot move up or down");
-      i.number("Striker radius", particle_event.impact.striker_radius, "m", Range::positive(), Need::required)
+      i.number("Impactor radius", particle_event.impact.impactor_radius, "m", Range::positive(), Need::required)
         .means("Of the sphere");
-      declare_list(i, "Striker velocities", particle_event.velocities, "m/s", Need::required)
+      declare_list(i, "Impactor velocities", particle_event.velocities, "m/s", Need::required)
         .means("One run each, numbers above 0 [m/s], separated by commas");
       i.number("Rest damping", particle_event.impact.rest_damping, "-", Range::between(1e-3, 0.99), Need::optional)
-        .means("Local damping once the striker has left");
+        .means("Local damping once the impactor has left");
       i.number("Rest ratio", particle_event.impact.rest_ratio, "-", Range::between(1e-12, 1), Need::optional)
-        .means("At rest when the kinetic energy is below this part of the striker's");
+        .means("At rest when the kinetic energy is below this part of the impactor's");
       i.number("Longest time", particle_event.impact.longest, "s", Range::positive(), Need::required)
         .means("After which the run ends in any case");
     }

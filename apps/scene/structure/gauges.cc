@@ -8,9 +8,9 @@ namespace apps
   void declare(Section &root, DisplacementGaugesSection &displacement_gauges)
   {
     root
-      .section("Gauges",
+      .section("Probes",
                "One sub-section per displacement of particles that is recorded; its name is the column of series.csv")
-      .named_sections("GAUGE", [&displacement_gauges](Section &opened) {
+      .named_sections("PROBE", [&displacement_gauges](Section &opened) {
         DisplacementGauge &added = displacement_gauges.gauges.emplace_back();
         added.name               = opened.name();
         opened.text("Group", added.group, Need::optional).means("Of particles whose mean displacement is measured");

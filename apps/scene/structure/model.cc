@@ -25,7 +25,7 @@ namespace apps
         .means("Longest wall-clock time between checkpoints; from one minute on they are made wherever saving is cheap")
         .housekeeping();
       output.text("Curve horizontal", model.horizontal, Need::optional)
-        .means("Column of series.csv for curve.png; empty: the first gauge, or the load factor")
+        .means("Column of series.csv for curve.png; empty: the first probe, or the load factor")
         .housekeeping();
       output.text("Curve vertical", model.vertical, Need::optional)
         .means("Column of series.csv for curve.png; empty: the first reaction, or the force of the load factor")
