@@ -98,7 +98,9 @@ namespace postprocess
     {
       const std::string colour =
         " lc rgb '" + (series.colour.empty() ? std::string(series_colour(number)) : series.colour) + "'";
-      const std::string marker = " pt " + std::to_string(markers[number % markers.size()]) + " ps 0.9";
+      // When the colours begin again the markers are one further: no two of 49 series look alike.
+      const std::size_t round  = number / markers.size();
+      const std::string marker = " pt " + std::to_string(markers[(number + round) % markers.size()]) + " ps 0.9";
       const std::string source = gnuplot_quoted(file) + " using 1:";
 
       std::string text;

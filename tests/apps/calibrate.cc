@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <map>
 #include <random>
 #include <sstream>
 
@@ -212,6 +213,33 @@ TEST_CASE("a posterior by an emulator has bands of constants and of the curve, a
   CHECK(page.size() < 2000000);
 }
 
+TEST_CASE("a cheap model first leaves the costly one few runs, and gives the same constants", "[apps][slow]")
+{
+  const ScratchFolder folder;
+  const std::string   text = two_constants(stack_figures("33e9", "0.5e9"));
+  write_calibration(folder, text);
+  REQUIRE(calibrate(folder, {"-o", "alone"}).status == 0);
+  const auto with_cheap = [&](const std::string &changes) {
+    write_calibration(folder,
+                      replaced(text, "subsection Constants",
+                               "subsection Cheap model\n  set Changes = " + changes + "\nend\nsubsection Constants"));
+  };
+  with_cheap("Loading/Tension/Strain rate=8; Output/Samples=20");
+  const Outcome told = calibrate(folder, {"-o", "after"});
+  INFO(told.err << told.out);
+  REQUIRE(told.status == 0);
+  const auto alone = nlohmann::json::parse(content_of(folder / "alone/calibration.json")),
+             after = nlohmann::json::parse(content_of(folder / "after/calibration.json"));
+  CHECK(after["cheap_evaluations"].get<int>() > 0);
+  CHECK(after["evaluations"].get<int>() < alone["evaluations"].get<int>());
+  CHECK(after["constants"]["modulus"]["value"].get<double>() ==
+        Approx(alone["constants"]["modulus"]["value"].get<double>()).epsilon(0.02));
+  with_cheap("Loading/Tension/Strain speed=8");
+  const Outcome refused = calibrate(folder, {"-o", "refused"});
+  CHECK(refused.status == 2);
+  CHECK_THAT(refused.err, Contains("Strain speed"));
+}
+
 TEST_CASE("several tests are met together by their weights, with derivatives and without", "[apps][slow]")
 {
   const auto [weight, method, modulus] =
@@ -250,6 +278,72 @@ subsection Targets
   const auto targets = nlohmann::json::parse(content_of(folder / "out/calibration.json"))["targets"];
   CHECK(targets["E"]["predicted"].get<double>() == Approx(modulus).epsilon(5e-3)); // sum of w (E/E* - 1)^2
   CHECK(targets["other_E"]["predicted"] == targets["E"]["predicted"]);
+}
+
+TEST_CASE("replicates: the mean of the packings is compared, the same ones for every set of constants", "[apps][slow]")
+{
+  const ScratchFolder folder;
+  std::string         text = replaced(two_constants(stack_figures("33e9", "1e9")), "subsection Targets",
+                                      "subsection Replicates\n  set Entry = Specimen/Generator/Seed\n"
+                                              "  set Seeds = 3, 4\nend\nsubsection Targets");
+  write_calibration(folder, text);
+  folder.file("stack.prm",
+              replaced(content_of(folder / "stack.prm"),
+                       "set Source            = file\n  set File              = packing.txt",
+                       "set Source = generator\n  set Box size = 0.012, 0.012, 0.02\n  subsection Generator\n"
+                       "    set Particle radius = 1e-3\n  end"));
+  const Outcome told = calibrate(folder, {"-o", "out"});
+  INFO(told.err << told.out);
+  REQUIRE(told.status == 0);
+  const auto found     = nlohmann::json::parse(content_of(folder / "out/calibration.json"));
+  const auto value_of  = [&found](const std::string &name) { return found["constants"][name]["value"].get<double>(); };
+  const auto number_in = [](const std::string &change) { return std::stod(change.substr(change.find('=') + 1)); };
+  std::map<std::vector<double>, std::string> seeds_of; // constants -> their seeds
+  double                                     sum = 0;  // of the moduli of both packings at the answer
+  for (const auto &entry : std::filesystem::directory_iterator(folder / "out/journal"))
+    if (entry.path().extension() == ".json")
+      {
+        const auto changes = nlohmann::json::parse(content_of(entry.path()))["changes"].get<std::vector<std::string>>();
+        REQUIRE(changes.size() == 3);
+        const std::vector<double> constants = {number_in(changes[0]), number_in(changes[1])};
+        seeds_of[constants] += changes[2].back();
+        const auto summary = folder.path() / "out/runs" / entry.path().stem() / "summary.json";
+        if (constants == std::vector<double>{value_of("modulus"), value_of("limit")})
+          sum += nlohmann::json::parse(content_of(summary))["figures"]["young_modulus"]["value"].get<double>();
+      }
+  CHECK(static_cast<int>(seeds_of.size()) <= found["evaluations"].get<int>());
+  for (const auto &[constants, seeds] : seeds_of)
+    CHECK((seeds == "34" || seeds == "43"));
+  CHECK(found["targets"]["E"]["predicted"].get<double>() == Approx(sum / 2).epsilon(1e-12));
+}
+
+TEST_CASE("what a reference scene gives is what is measured, and the constants are a scene's", "[apps][slow]")
+{
+  const ScratchFolder folder;
+  write_calibration(folder, replaced(two_constants(R"(  subsection E
+    set Figure = young_modulus
+    set Reference scene = stiff.prm
+    set Ordinate factor = 2
+  end
+  subsection f_t
+    set Figure = tensile_strength
+    set Reference scene = truth.prm
+  end
+)"),
+                                     "subsection Constants",
+                                     "subsection Search\n  set Smallest decrease = 1e-6\nend\nsubsection Constants"));
+  const std::string scene = content_of(folder / "stack.prm");
+  folder.file("stiff.prm", replaced(scene, "= 25e9", "= 54e9")); // of which the runs give half
+  folder.file("truth.prm", replaced(replaced(scene, "= 25e9", "= 27e9"), "= 1e-4", "= 0.8e-4"));
+  const Outcome told = calibrate(folder, {"-o", "out"});
+  INFO(told.err << told.out);
+  REQUIRE(told.status == 0);
+  const auto constants = nlohmann::json::parse(content_of(folder / "out/calibration.json"))["constants"];
+  CHECK(constants["modulus"]["value"].get<double>() == Approx(27e9).epsilon(0.02));
+  CHECK(constants["limit"]["value"].get<double>() == Approx(0.8e-4).epsilon(0.02));
+  CHECK_THAT(content_of(folder / "out/constants.prm"),
+             Contains("subsection Material\n  subsection CPM\n    set Normal modulus = "));
+  CHECK(calibrate(folder, {"-o", "refused", "-s", "Targets/E/Reference scene=gone.prm"}).status == 2);
 }
 
 TEST_CASE("breccia calibrate refuses what it cannot seek before its first run, in one message", "[apps]")

@@ -84,6 +84,10 @@ TEST_CASE("a faulty text packing is refused with file, line and reason", "[postp
     Refusal{
       "# periodic_cell 0.01 0.01 0.01\n0 0 0 1e-3\n5e-3 0 0 1e10\n",
       ": particle 2: its radius is more than 5 edges of the periodic cell: it would touch hundreds of its own images."},
+    Refusal{"x y z radius clump\n0 0 0 1 -1\n4 0 0 1 0\n",
+            ": particle 2: clump = 0: the packing says of no rigid body what it is. In a text each is a line \"# body "
+            "VOLUME X Y Z IXX IYY IZZ IYZ IXZ IXY\" before the first particle, in HDF5 a row of \"bodies\". Add "
+            "these, or leave the column clump out."},
     Refusal{"", ": holds no particle. Give lines of x y z radius [m]."},
     Refusal{"# only a comment\nx y z radius\n", ": holds no particle. Give lines of x y z radius [m]."});
   const ScratchFolder folder;
