@@ -1,5 +1,6 @@
 #include "peridynamics_bodies.h"
 
+#include <Eigen/QR>
 #include <catch2/catch.hpp>
 
 #include <algorithm>
