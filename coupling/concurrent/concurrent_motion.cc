@@ -1,6 +1,7 @@
 #include "coupling/concurrent/concurrent_motion.h"
 
 #include "base/errors.h"
+#include "base/flat_state.h"
 #include "coupling/contact/contact_motion.h"
 #include "coupling/participants/window.h"
 
@@ -67,21 +68,27 @@ namespace coupling
   }
 
   template <int dim>
-  WindowSteps ConcurrentMotion<dim>::next_window(const double rest) const
+  void ConcurrentMotion<dim>::check_windows(std::function<void(base::StateVisitor &)> state_of_lead)
+  {
+    checked    = true;
+    lead_state = std::move(state_of_lead);
+  }
+
+  template <int dim>
+  WindowSteps ConcurrentMotion<dim>::next_window(const double rest, const int ratio) const
   {
     constexpr double rounding = 1e-12;
     const double     of_solid = solid_step(), of_particles = particle_step();
     // Sub-cycled, a contact alone is stable up to lambda T^2 = 2 for the side that takes the long step
     // (doc/theory/surface-coupling.md, 2). Particles' own step has lambda T^2 <= 2 f^2, f their step factor.
-    constexpr double calm_phase = 1.2;
-    const double     stable     = stiffest > 0 ? std::min(of_solid, calm_phase / std::sqrt(stiffest)) : of_solid;
-    const double     calm       = std::min(stable, sub_cycling.longest_window(std::min(of_solid, of_particles)));
-    const double     calm_particles =
-      std::min(of_particles * std::min(1.0, calm_phase / (std::sqrt(2.0) * specimen.parameters().step_factor)),
-               largest_ratio > 1 && of_particles > of_solid ? sub_cycling.longest_window(of_solid, power_of_gliding()) :
-                                                              of_particles);
+    constexpr double calm_phase     = 1.2;
+    const double     stable         = stiffest > 0 ? std::min(of_solid, calm_phase / std::sqrt(stiffest)) : of_solid;
+    const double     calm           = std::min(stable, sub_cycling.longest_window(std::min(of_solid, of_particles)));
+    const double     calm_particles = std::min(
+          of_particles * std::min(1.0, calm_phase / (std::sqrt(2.0) * specimen.parameters().step_factor)),
+      ratio > 1 && of_particles > of_solid ? sub_cycling.longest_window(of_solid, power_of_gliding()) : of_particles);
     const auto parts = [&](const double longer, const double step) {
-      return static_cast<int>(std::clamp(std::floor(longer / step), 1.0, static_cast<double>(largest_ratio)));
+      return static_cast<int>(std::clamp(std::floor(longer / step), 1.0, static_cast<double>(ratio)));
     };
     WindowSteps steps;
     steps.particles      = parts(calm, of_particles);
@@ -96,16 +103,55 @@ namespace coupling
   template <int dim>
   WindowSteps ConcurrentMotion<dim>::advance(const double rest)
   {
-    // Before looking, which puts vertices to where nodes are: that is work, too.
-    const double before = largest_ratio > 1 ? made() : 0;
-    look();
-    const WindowSteps taken = take(next_window(rest));
-    if (largest_ratio == 1)
-      return taken;
-    sub_cycling.note(taken, made() - before);
-    const fem::ExplicitEnergy &of_solid = motion.energy();
-    sub_cycling.note_energy(std::max(specimen.kinetic_energy(), of_solid.kinetic + std::fabs(of_solid.internal)));
-    return taken;
+    for (int ratio = largest_ratio;;)
+      {
+        const WindowSteps expected = next_window(rest, ratio); // looking can only make it shorter
+        const bool        kept     = checked && std::max(expected.particles, expected.solid) > 1;
+        if (kept)
+          save();
+        // Before looking, which puts vertices to where nodes are: that is work, too.
+        const double before = largest_ratio > 1 ? made() : 0;
+        look();
+        const WindowSteps taken = take(next_window(rest, ratio));
+        if (largest_ratio == 1)
+          return taken;
+        const double made_now = made() - before;
+        if (!kept || !sub_cycling.loses_too_much(taken, made_now))
+          {
+            sub_cycling.note(taken, made_now);
+            const fem::ExplicitEnergy &of_solid = motion.energy();
+            sub_cycling.note_energy(
+              std::max(specimen.kinetic_energy(), of_solid.kinetic + std::fabs(of_solid.internal)));
+            return taken;
+          }
+        restore();
+        sub_cycling.expect(taken, made_now);
+        ++windows_taken_back;
+        ratio = std::max(1, std::max(taken.particles, taken.solid) / 2);
+      }
+  }
+
+  template <int dim>
+  void ConcurrentMotion<dim>::save()
+  {
+    particles.save();
+    participant.save();
+    between.clear();
+    base::FlatStateWriter writer(between);
+    visit_state(writer);
+    if (lead_state)
+      lead_state(writer);
+  }
+
+  template <int dim>
+  void ConcurrentMotion<dim>::restore()
+  {
+    particles.restore();
+    participant.restore();
+    base::FlatStateReader reader(between);
+    visit_state(reader);
+    if (lead_state)
+      lead_state(reader);
   }
 
   template <int dim>

@@ -55,6 +55,14 @@ namespace coupling
     /** What such windows may lose, as a part of the largest energy: they are as long as that allows. 1: whatever is lost. */
     void                  set_sub_cycling_loss(double part) { sub_cycling.set_part(part); }
     const SubCyclingLoss &sub_cycling_loss() const { return sub_cycling; }
+    /**
+     * Windows of several steps that have lost more than half of what may still be lost are taken back, and again with shorter ones: what is
+     * lost stays below the part, whatever comes into contact in a window. Costs a copy of both sides' states in each such window.
+     * @param lead_state what `lead` remembers besides the specimen; empty: nothing
+     */
+    void check_windows(std::function<void(base::StateVisitor &)> lead_state = {});
+    /** How many have been taken back so far, since this process began. */
+    int taken_back() const { return windows_taken_back; }
 
     /**
      * Longest step of the solid now, contacts included [s]: 2 s / sqrt(omega^2 + max_i sum_c k_c N_i / m_i), omega its own largest
@@ -64,7 +72,7 @@ namespace coupling
     double solid_step() const;
     double particle_step() const { return specimen.longest_step(); }
     /** The window that would be taken now, of those that end together after the rest [s]. */
-    WindowSteps next_window(double rest) const;
+    WindowSteps next_window(double rest) const { return next_window(rest, largest_ratio); }
 
     /** One window, no longer than the rest [s]. @return what was taken. @throws what either side throws */
     WindowSteps advance(double rest);
@@ -74,7 +82,11 @@ namespace coupling
 
   private:
     /** Whether the forces of surfaces have reached the particles for less time than their own step lasted. */
-    bool after_glide() const { return last_solid_step < last_particle_step; }
+    bool        after_glide() const { return last_solid_step < last_particle_step; }
+    WindowSteps next_window(double rest, int ratio) const;
+    /** Both sides and all that is between them, to be taken back to. */
+    void save();
+    void restore();
     /** Forces of surfaces where everything is now, and how stiff they have become. */
     void        look();
     WindowSteps take(const WindowSteps &steps);
@@ -108,7 +120,11 @@ namespace coupling
     RigidBodies<dim>                                   rigid_bodies;
     int                                                largest_ratio = 1;
     SubCyclingLoss                                     sub_cycling;
-    double                                             stiffest = 0; ///< sum of added eigenvalues so far [1/s^2]
-    double last_particle_step = 0, last_solid_step = 0;              ///< [s]; 0: none yet
+    double                                             stiffest  = 0; ///< sum of added eigenvalues so far [1/s^2]
+    double                                    last_particle_step = 0, last_solid_step = 0; ///< [s]; 0: none yet
+    bool                                      checked            = false;                  ///< see check_windows()
+    int                                       windows_taken_back = 0;
+    std::function<void(base::StateVisitor &)> lead_state;
+    base::Column                              between; ///< couplings and lead, as saved
   };
 } // namespace coupling

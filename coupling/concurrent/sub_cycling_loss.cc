@@ -33,10 +33,21 @@ namespace coupling
         before *= memory;
         return;
       }
-    before = now;
-    now    = std::fabs(made) / (taken.window * taken.window * (1 - 1.0 / most));
+    expect(taken, made);
     several += 1;
     of_several += most;
+  }
+
+  bool SubCyclingLoss::loses_too_much(const WindowSteps &taken, const double made) const
+  {
+    return allowed < 1 && std::max(taken.particles, taken.solid) > 1 &&
+           std::fabs(made) > 0.5 * std::max(0.0, allowed * largest - std::fabs(gone));
+  }
+
+  void SubCyclingLoss::expect(const WindowSteps &taken, const double made)
+  {
+    before = now;
+    now    = std::fabs(made) / (taken.window * taken.window * (1 - 1.0 / std::max(taken.particles, taken.solid)));
   }
 
   void SubCyclingLoss::note_energy(const double energy) { largest = std::max(largest, energy); }

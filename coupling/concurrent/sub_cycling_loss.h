@@ -22,6 +22,14 @@ namespace coupling
      */
     double longest_window(double shorter, double known = 0) const;
 
+    /**
+     * Whether a window has lost more than half of what could still be lost: taken again and again, such windows would not keep to the part.
+     * @param taken, made as of note()
+     */
+    bool loses_too_much(const WindowSteps &taken, double made) const;
+    /** Of a window that is taken again: what it would have lost is known for the next. */
+    void expect(const WindowSteps &taken, double made);
+
     /** @param taken window of several steps of one side @param made in it by the couplings, negative where lost [J] */
     void note(const WindowSteps &taken, double made);
     /** @param energy of now, of which the largest counts [J] */

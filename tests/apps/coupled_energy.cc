@@ -143,3 +143,21 @@ TEST_CASE("Sub-cycling is forecast, held to the energy that it may lose, and rep
   // Where both take the same steps nothing is.
   CHECK(results_of(folder, "x.prm").summary["warnings"].dump().find("lost") == std::string::npos);
 }
+
+TEST_CASE("Checked windows keep a hard blow from losing what the last window could not foretell",
+          "[apps][coupled][slow]")
+{
+  const ScratchFolder folder;
+  folder.file("x.prm", collision);
+  std::vector<std::string> hard = {"Time/Largest ratio=100", "Time/Step factor=0.003", "Time/Sub-cycling loss=1e-4",
+                                   "Couplings/block/Energy limit=1", "Couplings/block/Effective modulus=1e9"};
+  const auto               lost = [&] {
+    const Results found = results_of(folder, "x.prm", hard);
+    std::filesystem::remove_all(folder / "results");
+    return -found.series.column("block_made").back() / found.series.column("energy_particles_initial").back();
+  };
+  const double blind = lost();
+  CHECK(blind > 5e-4); // five times what is allowed
+  hard.emplace_back("Time/Checked windows=true");
+  CHECK(std::fabs(lost()) < 2e-4); // single steps, which are not taken back, lose besides
+}

@@ -5,6 +5,8 @@
 
 #include <catch2/catch.hpp>
 
+#include <cstdio>
+
 using namespace block;
 
 namespace
@@ -226,6 +228,47 @@ TEST_CASE(
       CHECK(lost[1] <= may);
       CHECK(lost[1] > 0.1 * may); // what may be lost is made use of
       CHECK(steps[1] > 2);
+    }
+}
+
+TEST_CASE("surface coupling: checked windows keep to what may be lost where a hard contact begins in a long one",
+          "[coupling]")
+{
+  constexpr double may = 1e-4;
+  struct Lost
+  {
+    double all        = 0; // of the energy
+    int    taken_back = 0;
+  };
+  const auto lost_in = [](const double stiffer, const double step_factor, const bool checked) {
+    dem::LinearContactParameters contact = rough();
+    contact.effective_modulus *= stiffer;
+    Collision c(step_factor / std::sqrt(stiffer), contact); // the same steps whatever the contact
+    c.both.set_largest_ratio(100);
+    c.both.set_sub_cycling_loss(may);
+    if (checked)
+      c.both.check_windows();
+    const double   energy = c.energy();
+    const Vector3d start = c.total_momentum(), turning = c.total_angular_momentum();
+    Lost           found;
+    for (double time = 0; time < 4e-3;)
+      time += c.both.advance(4e-3 - time).window;
+    found.all        = -c.parted(start.norm()).made() / energy;
+    found.taken_back = c.both.taken_back();
+    CHECK(c.both.sub_cycling_loss().lost() == Approx(found.all * energy).epsilon(1e-6));
+    CHECK((c.total_momentum() - start).norm() < 1e-12 * start.norm());
+    CHECK((c.total_angular_momentum() - turning).norm() < 1e-10 * turning.norm());
+    return found;
+  };
+  // The ball takes many steps in one of the solid; the solid in one of the ball's; and the ball against a very hard face.
+  for (const auto &[stiffer, step_factor] : {std::pair(10.0, 0.01), std::pair(1.0, 0.4), std::pair(100.0, 0.01)})
+    {
+      const Lost blind = lost_in(stiffer, step_factor, false), checked = lost_in(stiffer, step_factor, true);
+      INFO(stiffer << " times as stiff, step factor " << step_factor << ": lost " << blind.all << ", " << checked.all);
+      CHECK(blind.all > 2 * may); // by the last window the loss of the next could not be told
+      CHECK(blind.taken_back == 0);
+      CHECK(checked.taken_back > 0);
+      CHECK(std::fabs(checked.all) <= may);
     }
 }
 

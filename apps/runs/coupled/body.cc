@@ -79,6 +79,8 @@ namespace apps
       {
         both.set_largest_ratio(static_cast<int>(what.largest_ratio));
         both.set_sub_cycling_loss(what.sub_cycling_loss);
+        if (what.checked_windows)
+          both.check_windows([this](base::StateVisitor &visitor) { body.visit_lead_state(visitor); });
         for (const HandshakeSection &handshake : model.handshakes.handshakes)
           add(handshake);
         std::vector<std::string> boundaries;

@@ -23,6 +23,7 @@ namespace apps
     ReferencesSection references;
     std::int64_t      largest_ratio    = 1;     ///< of steps of either side in one of the other
     double            sub_cycling_loss = 0.005; ///< that it may make, over the largest energy
+    bool              checked_windows  = false; ///< what loses too much is taken back
 
     /** @throws base::InputError. */
     void check(const base::EntryPath &root) const;

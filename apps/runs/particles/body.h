@@ -43,6 +43,8 @@ namespace apps
     const ParticleGroups        &all_groups() const { return groups; }
     /** A reader must have been made from the same model and packing. */
     void visit_state(base::StateVisitor &visitor);
+    /** Of that only what the prescribed motions remember besides the specimen. */
+    void visit_lead_state(base::StateVisitor &visitor) { motion.visit_state(visitor); }
     /** The test of section Laboratory; nullptr: there is none. */
     const dem::LabTest *test() const { return lab.get(); }
     bool                test_is_over() const { return lab && lab->finished(); }

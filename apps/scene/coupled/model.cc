@@ -27,6 +27,11 @@ namespace apps
           "Part of the largest energy that such steps may lose in all: the ratio is the largest that holds it, by what "
           "couplings have lost so far")
         .only_if([&model] { return model.largest_ratio > 1; }, "Largest ratio > 1");
+      time.flag("Checked windows", model.checked_windows)
+        .means("A window of several steps that has lost more than half of what Sub-cycling loss still allows is taken "
+               "back, and again with shorter ones: for what hits hard, where the loss of the next window cannot be "
+               "told from the last. Costs a copy of the state in each")
+        .only_if([&model] { return model.largest_ratio > 1; }, "Largest ratio > 1");
     }
   } // namespace
 
