@@ -5,6 +5,7 @@
 #include "apps/results/terminal.h"
 #include "apps/runs/sequential/run.h"
 #include "apps/scene/kinds/read_scene.h"
+#include "apps/scene/reader.h"
 #include "apps/scene/scene_of.h"
 
 #include <memory>
@@ -43,9 +44,12 @@ namespace apps
       request.overrides  = options.overrides;
       Terminal terminal;
       request.observers = {&terminal};
-      return (options.identify ? apps::identify(sequential->model(), request) :
-                                 transfer_only(sequential->model(), request))
-        .exit_status();
+      int status        = 0;
+      with_places(*scene.root, [&] {
+        const SequentialModel &model = sequential->model();
+        status = (options.identify ? apps::identify(model, request) : transfer_only(model, request)).exit_status();
+      });
+      return status;
     }
   } // namespace
 

@@ -5,8 +5,10 @@
 #include "apps/process/progress.h"
 #include "apps/results/run_result.h"
 #include "apps/scene/kinds/read_scene.h"
+#include "apps/scene/usual_sizes.h"
 #include "apps/studies/child_runs.h"
 #include "apps/studies/measured_curve.h"
+#include "apps/studies/scene_entry.h"
 #include "apps/text/value_text.h"
 #include "base/errors.h"
 #include "postprocess/files/digest.h"
@@ -90,6 +92,29 @@ namespace apps
       }
     for (const Eigen::VectorXd &constants : {start, lower, upper}) // refused before the first run
       jobs_of(constants);
+    find_units();
+  }
+
+  /** Bounds and start have passed the questions about sizes that quantities hardly have: what lies between them is meant. */
+  void CalibrationRuns::find_units()
+  {
+    for (const auto &[scene, changes_at_start] : scenes_at_start())
+      {
+        const CheckedScene read = read_scene(scene, changes_at_start);
+        for (const auto &constant : calibration.constants)
+          for (const std::string &entry : comma_separated(constant.entries))
+            if (const Entry *found = entry_at(*read.root, entry))
+              units[{scene, entry}] = found->unit;
+      }
+  }
+
+  std::string CalibrationRuns::change_of(const std::string &scene, const std::string &entry, const double value) const
+  {
+    const std::string text = fmt::format("{}", value);
+    const auto        unit = units.find({scene, entry});
+    const bool        named =
+      unit != units.end() && !question_about(entry.substr(entry.rfind('/') + 1), unit->second, value, text).empty();
+    return entry + "=" + text + (named ? " " + unit->second : "");
   }
 
   /** What was measured, from tables, values and runs of reference scenes. */
@@ -180,7 +205,7 @@ namespace apps
     std::vector<std::string> all = changes;
     for (std::size_t k = 0; k < calibration.constants.size(); ++k)
       for (const std::string &entry : comma_separated(calibration.constants[k].entries))
-        all.push_back(fmt::format("{}={}", entry, constants[k]));
+        all.push_back(change_of(scene, entry, constants[k]));
     if (!seed.empty())
       all.push_back(calibration.seed_entry + "=" + seed);
     return job_of(scene, all);

@@ -6,8 +6,10 @@
 #include <Eigen/Core>
 
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace apps
@@ -58,6 +60,12 @@ namespace apps
     /** What is run, and with which changes, for the constants at their start: a scene each. */
     std::vector<std::pair<std::string, std::vector<std::string>>> scenes_at_start() const;
 
+    /**
+     * "Material/flat-joint/Friction angle=0.3 degrees": a value of the search, with the unit where a person would be asked whether it is meant,
+     * which is asked of bounds and start alone.
+     */
+    std::string change_of(const std::string &scene, const std::string &entry, double value) const;
+
   private:
     struct Job
     {
@@ -67,6 +75,7 @@ namespace apps
     };
 
     void             take_measured();
+    void             find_units();
     Job              job_of(const std::string &scene, const std::vector<std::string> &changes) const;
     std::string      scene_of(const CalibrationTarget &target) const;
     Eigen::VectorXd  at_start() const;
@@ -81,12 +90,13 @@ namespace apps
     std::filesystem::path log_of(const Job &job) const { return options.folder / "runs" / (job.key + ".log"); }
     std::filesystem::path record_of(const Job &job) const { return options.folder / "journal" / (job.key + ".json"); }
 
-    const CalibrationFile    &calibration;
-    const StudyOptions       &options;
-    Fidelity                  fidelity;
-    std::vector<std::string>  scenes, seeds, changes;
-    std::vector<Eigen::Index> begins; ///< of each target, and the end
-    Eigen::VectorXd           observed, places, deviations;
-    int                       made = 0;
+    const CalibrationFile                                     &calibration;
+    const StudyOptions                                        &options;
+    Fidelity                                                   fidelity;
+    std::vector<std::string>                                   scenes, seeds, changes;
+    std::vector<Eigen::Index>                                  begins; ///< of each target, and the end
+    Eigen::VectorXd                                            observed, places, deviations;
+    std::map<std::pair<std::string, std::string>, std::string> units; ///< of entries, by scene and path
+    int                                                        made = 0;
   };
 } // namespace apps

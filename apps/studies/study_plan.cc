@@ -1,6 +1,7 @@
 #include "apps/studies/study_plan.h"
 
 #include "apps/scene/kinds/read_scene.h"
+#include "apps/studies/scene_entry.h"
 #include "apps/statistics/level_designs.h"
 #include "apps/statistics/orthogonal_array.h"
 #include "apps/statistics/space_filling.h"
@@ -161,17 +162,6 @@ namespace apps
         default:
           return from_table(study);
         }
-    }
-
-    /** "Material/CPM/Cohesion" of a scene; nullptr: not there. */
-    const Entry *entry_at(const Section &root, const std::string &path)
-    {
-      const Section *section = &root;
-      std::size_t    begin   = 0;
-      for (std::size_t slash; (slash = path.find('/', begin)) != std::string::npos; begin = slash + 1)
-        if (!(section = section->find_section(path.substr(begin, slash - begin))))
-          return nullptr;
-      return section->find_entry(path.substr(begin));
     }
 
     std::string column_of(const StudyFactor &factor, const CheckedScene &scene)

@@ -390,6 +390,20 @@ TEST_CASE("every shipped study and calibration is read with the scenes of all it
   CHECK(count >= 8);
 }
 
+TEST_CASE("a value that a search comes to is not questioned as a person's, whose bounds are", "[apps]")
+{
+  const std::string           folder = places::sources() + "/apps/scenes/studies/";
+  const auto                  file   = apps::read_calibration(folder + "mortar_calibration.prm", {});
+  const apps::StudyOptions    nowhere;
+  const apps::CalibrationRuns runs(*file, nowhere);
+  const std::string           scene = file->targets.front().scene, angle = "Material/flat-joint/Friction angle";
+  // In degrees, 0.3 would be taken for radians by mistake; the bounds are 0 and 60.
+  CHECK_THROWS_WITH(apps::read_scene(scene, {angle + "=0.3"}), Contains("In radians?"));
+  CHECK(runs.change_of(scene, angle, 0.3) == angle + "=0.3 degrees");
+  CHECK_NOTHROW(apps::read_scene(scene, {runs.change_of(scene, angle, 0.3)}));
+  CHECK(runs.change_of(scene, angle, 34) == angle + "=34");
+}
+
 TEST_CASE("check of a calibration says what it takes at most, and describe knows its entries and those of a study",
           "[apps]")
 {

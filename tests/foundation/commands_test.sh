@@ -48,7 +48,7 @@ if [[ $1 == test ]]; then
   exit 0
 elif [[ ${TAKES_LONG:-} == yes && $1 == bench ]]; then
   timed "$@" --help
-elif [[ ${TAKES_LONG:-} == yes && ($1 == run || $1 == transfer || $1 == study) ]]; then
+elif [[ ${TAKES_LONG:-} == yes && ($1 == run || $1 == transfer || $1 == study || $1 == calibrate) ]]; then
   kept=()
   shift
   while (($#)); do
