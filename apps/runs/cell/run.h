@@ -64,6 +64,6 @@ namespace apps
     double                         worst_balance_error = 0;
   };
 
-  /** Check nothing further, and do the work of a checked model. Throws as Scene::run(). */
+  /** Do the work of a checked model. Throws as Scene::run(). */
   RunResult run(const CellModel &model, const RunRequest &request);
 } // namespace apps

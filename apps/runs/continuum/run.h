@@ -126,6 +126,6 @@ namespace apps
     std::optional<fem::SolidExtremes> extremes; ///< of the last state; not told of solids in motion
   };
 
-  /** Check nothing further, and do the work of a checked model. Throws as Scene::run(). */
+  /** Do the work of a checked model. Throws as Scene::run(). */
   RunResult run(const ContinuumModel &model, const RunRequest &request);
 } // namespace apps

@@ -67,6 +67,6 @@ namespace apps
     std::int64_t                              windows_before   = 0; ///< when it did
   };
 
-  /** Check nothing further, and do the work of a checked model. Throws as Scene::run(). */
+  /** Do the work of a checked model. Throws as Scene::run(). */
   RunResult run(const CoupledModel &model, const RunRequest &request);
 } // namespace apps

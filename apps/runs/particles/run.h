@@ -93,6 +93,6 @@ namespace apps
     std::int64_t      steps_before     = 0; ///< when it did
   };
 
-  /** Check nothing further, and do the work of a checked model. Throws as Scene::run(). */
+  /** Do the work of a checked model. Throws as Scene::run(). */
   RunResult run(const ParticlesModel &model, const RunRequest &request);
 } // namespace apps

@@ -60,6 +60,6 @@ namespace apps
    */
   std::string lattice_lines(const dem::peridynamics::Bonds &bonds, const std::vector<std::string> &names);
 
-  /** Check nothing further, and do the work of a checked model. Throws as Scene::run(). */
+  /** Do the work of a checked model. Throws as Scene::run(). */
   RunResult run(const PeridynamicsModel &model, const RunRequest &request);
 } // namespace apps

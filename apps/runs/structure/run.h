@@ -62,6 +62,6 @@ namespace apps
     std::optional<postprocess::PvdCollection> particles, links, solids;
   };
 
-  /** Check nothing further, and do the work of a checked model. Throws as Scene::run(). */
+  /** Do the work of a checked model. Throws as Scene::run(). */
   RunResult run(const StructureModel &model, const RunRequest &request);
 } // namespace apps

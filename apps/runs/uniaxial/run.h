@@ -6,6 +6,6 @@
 
 namespace apps
 {
-  /** Check nothing further, and do the work of a checked model. Throws as Scene::run(). */
+  /** Do the work of a checked model. Throws as Scene::run(). */
   RunResult run(const UniaxialModel &model, const RunRequest &request);
 } // namespace apps
