@@ -6,6 +6,7 @@
 #include "apps/scene/entries/specimen.h"
 #include "apps/scene/entries/time.h"
 #include "apps/scene/section.h"
+#include "base/voigt.h"
 
 #include <fmt/format.h>
 
