@@ -11,6 +11,12 @@
 
 namespace coupling
 {
+  namespace
+  {
+    /** Of either side in one of the other. */
+    bool takes_several(const WindowSteps &steps) { return std::max(steps.particles, steps.solid) > 1; }
+  } // namespace
+
   template <int dim>
   ConcurrentMotion<dim>::ConcurrentMotion(dem::Specimen                  &specimen_,
                                           const fem::Solid<dim>          &solid_,
@@ -105,8 +111,7 @@ namespace coupling
   {
     for (int ratio = largest_ratio;;)
       {
-        const WindowSteps expected = next_window(rest, ratio); // looking can only make it shorter
-        const bool        kept     = checked && std::max(expected.particles, expected.solid) > 1;
+        const bool kept = checked && takes_several(next_window(rest, ratio)); // looking can only make it shorter
         if (kept)
           save();
         // Before looking, which puts vertices to where nodes are: that is work, too.
