@@ -1,5 +1,6 @@
 #include "apps/runs/cell/model.h"
 
+#include "apps/models/specimen_parameters.h"
 #include "apps/text/value_text.h"
 #include "base/voigt.h"
 
@@ -45,17 +46,7 @@ namespace apps
                     "expected \"strain VALUE\" or \"stress VALUE\", e.g. strain 1e-4 or stress -2e6.");
   }
 
-  dem::SpecimenParameters CellModel::specimen() const
-  {
-    dem::SpecimenParameters parameters;
-    parameters.physics           = physics;
-    parameters.density           = source.density;
-    parameters.interaction_ratio = source.interaction_ratio;
-    parameters.thickness         = source.thickness;
-    parameters.step_factor       = time.step_factor;
-    parameters.damping           = time.damping;
-    return parameters;
-  }
+  dem::SpecimenParameters CellModel::specimen() const { return specimen_parameters(source, physics, time); }
 
   dem::CellTestParameters CellModel::loading() const
   {

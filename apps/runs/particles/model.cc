@@ -2,6 +2,7 @@
 
 #include "apps/figures/drawn_curve.h"
 #include "apps/figures/energy_terms.h"
+#include "apps/models/specimen_parameters.h"
 
 namespace apps
 {
@@ -69,16 +70,11 @@ namespace apps
 
   dem::SpecimenParameters ParticlesModel::parameters() const
   {
-    dem::SpecimenParameters made;
-    made.physics           = physics;
-    made.density           = source.density;
-    made.interaction_ratio = source.interaction_ratio;
-    made.installation_gap  = source.installation_gap;
-    made.thickness         = source.thickness;
-    made.loose             = more.loose(physics.dimension);
-    made.step_factor       = time.step_factor;
-    made.damping           = time.damping_at(0);
-    made.gravity           = gravity.vector();
+    dem::SpecimenParameters made = specimen_parameters(source, physics, time);
+    made.installation_gap        = source.installation_gap;
+    made.loose                   = more.loose(physics.dimension);
+    made.damping                 = time.damping_at(0);
+    made.gravity                 = gravity.vector();
     return made;
   }
 

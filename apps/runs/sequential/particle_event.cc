@@ -1,5 +1,6 @@
 #include "apps/runs/sequential/particle_event.h"
 
+#include "apps/models/specimen_parameters.h"
 #include "apps/specimens/specimen_packing.h"
 #include "apps/text/value_text.h"
 
@@ -105,15 +106,9 @@ namespace apps
 
   dem::SpecimenParameters ParticleEventSection::specimen_parameters() const
   {
-    dem::SpecimenParameters p;
-    p.physics           = physics;
-    p.density           = specimen.density;
-    p.interaction_ratio = specimen.interaction_ratio;
-    p.thickness         = specimen.thickness;
-    p.step_factor       = time.step_factor;
-    p.damping           = time.damping;
-    p.gravity           = gravity.vector();
-    p.loose             = source == Source::impact ? 1 : 0;
+    dem::SpecimenParameters p = apps::specimen_parameters(specimen, physics, time);
+    p.gravity                 = gravity.vector();
+    p.loose                   = source == Source::impact ? 1 : 0;
     return p;
   }
 

@@ -1,5 +1,6 @@
 #include "apps/runs/uniaxial/model.h"
 
+#include "apps/models/specimen_parameters.h"
 #include "apps/specimens/specimen_packing.h"
 
 namespace apps
@@ -14,14 +15,8 @@ namespace apps
 
   dem::SpecimenParameters UniaxialModel::specimen() const
   {
-    dem::SpecimenParameters parameters;
-    parameters.physics           = physics;
-    parameters.density           = source.density;
-    parameters.interaction_ratio = source.interaction_ratio;
-    parameters.thickness         = source.thickness;
-    parameters.step_factor       = time.step_factor;
-    parameters.damping           = time.damping;
-    parameters.gravity           = gravity.vector();
+    dem::SpecimenParameters parameters = specimen_parameters(source, physics, time);
+    parameters.gravity                 = gravity.vector();
     return parameters;
   }
 

@@ -21,4 +21,12 @@ namespace apps
       .means("Of particles that touch without a bond, over the smaller radius: a run in motion whose particles are "
              "pressed further into each other ends and names them. Laws of contact hold for small overlaps");
   }
+
+  void declare_static_physics(Section &root, int &dimension, bool &rotations)
+  {
+    Section &physics = root.section("Physics", "What is modelled");
+    physics.choice("Dimension", dimension, {{"2", 2}, {"3", 3}}, Need::optional)
+      .means("3: spheres in space; 2: discs in the plane z = 0");
+    physics.flag("Rotations", rotations).means("Particles spin; off: they only translate");
+  }
 } // namespace apps

@@ -2,6 +2,7 @@
 
 #include "apps/scene/entries/grips.h"
 #include "apps/scene/entries/material.h"
+#include "apps/scene/entries/physics.h"
 #include "apps/scene/entries/specimen.h"
 #include "apps/scene/section.h"
 
@@ -61,10 +62,7 @@ namespace apps
     declare(root, model.source, model.dimension, use);
     declare(root, model.material, use.inertia);
 
-    Section &physics = root.section("Physics", "What is modelled");
-    physics.choice("Dimension", model.dimension, {{"2", 2}, {"3", 3}}, Need::optional)
-      .means("3: spheres in space; 2: discs in the plane z = 0");
-    physics.flag("Rotations", model.rotations).means("Particles spin; off: they only translate");
+    declare_static_physics(root, model.dimension, model.rotations);
 
     declare_loading(root, model);
 

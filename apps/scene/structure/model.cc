@@ -58,10 +58,7 @@ namespace apps
     use.inertia = false;
     declare(root, model.source, model.dimension, use);
     declare(root, model.material, use.inertia);
-    Section &modelled = root.section("Physics", "What is modelled");
-    modelled.choice("Dimension", model.dimension, {{"2", 2}, {"3", 3}}, Need::optional)
-      .means("3: spheres in space; 2: discs in the plane z = 0");
-    modelled.flag("Rotations", model.rotations).means("Particles spin; off: they only translate");
+    declare_static_physics(root, model.dimension, model.rotations);
     root
       .section("Voids",
                "One sub-section per place without particles, as a notch is: those whose centre lies in it are left out")
