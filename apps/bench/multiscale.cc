@@ -4,7 +4,7 @@
 #include "apps/bench/scene_variant.h"
 #include "apps/process/mpi_session.h"
 #include "apps/runs/continuum/analysis.h"
-#include "apps/runs/continuum/gauges.h"
+#include "apps/runs/continuum/probes.h"
 #include "apps/runs/continuum/model.h"
 #include "apps/runs/continuum/solid.h"
 #include "apps/specimens/specimen_packing.h"
@@ -43,9 +43,9 @@ namespace apps
       double              cost = 0;                 ///< processor time, packings and set-up left out [s]
     };
 
-    std::size_t column_named(const ContinuumGauges<2> &gauges, const std::string &name)
+    std::size_t column_named(const ContinuumProbes<2> &probes, const std::string &name)
     {
-      const auto columns = gauges.columns();
+      const auto columns = probes.columns();
       for (std::size_t c = 0; c < columns.size(); ++c)
         if (columns[c].column.name == name)
           return c;
@@ -70,8 +70,8 @@ namespace apps
       const auto            solid   = make_solid<2>(model);
       const auto            analysis =
         model.is_static() ? make_static_analysis<2>(*solid, model) : make_explicit_analysis<2>(*solid, model);
-      const ContinuumGauges<2> gauges(*solid, model);
-      const std::size_t        load = column_named(gauges, of.force);
+      const ContinuumProbes<2> probes(*solid, model);
+      const std::size_t        load = column_named(probes, of.force);
       CellRow                  row{variant.study, variant.value, 0, 0, {}, {}, 0};
       row.points =
         static_cast<double>(solid->mesh().triangulation->n_global_active_cells() * solid->quadrature().size());
@@ -83,10 +83,10 @@ namespace apps
               while (!analysis->advance())
                 continue;
               ContinuumEnergy energy = analysis->energy();
-              const auto      values = gauges.read(analysis->state(), energy);
+              const auto      values = probes.read(analysis->state(), energy);
               row.abscissa.push_back(analysis->coordinate() / analysis->end());
               row.force.push_back(std::fabs(values[load]));
-              row.promoted = model.is_static() ? values[column_named(gauges, "points_promoted")] : row.points;
+              row.promoted = model.is_static() ? values[column_named(probes, "points_promoted")] : row.points;
             }
         }
       catch (const fem::NoEquilibrium &end)

@@ -22,7 +22,7 @@ namespace dem::link_update
     {
       for (int c = 0; c < State::columns; ++c)
         column[c] = links.history[first + static_cast<std::size_t>(c)].data();
-      if constexpr (law_has_rows<typename P::Law>(0))
+      if constexpr (P::Law::has_rows)
         rows = links.history.data() + first + State::columns;
     }
 

@@ -2,6 +2,7 @@
 
 #include "base/column.h"
 #include "dem/kernels/element_rows.h"
+#include "dem/kernels/link_law_defaults.h"
 #include "dem/kernels/link_update_types.h"
 #include "dem/model/link_law.h"
 
@@ -22,85 +23,13 @@ namespace dem
   template <typename Law>
   LinkPass link_pass_in_space(bool rotations, Mixture mixture);
 
-  /** Law::waits, false for a law that does not speak of it. */
-  template <typename Law>
-  constexpr bool law_waits(decltype(Law::waits, 0))
-  {
-    return Law::waits;
-  }
-  template <typename Law>
-  constexpr bool law_waits(...)
-  {
-    return false;
-  }
-
-  /** Law::viscous, false for a law that does not speak of it. */
-  template <typename Law>
-  constexpr bool law_is_viscous(decltype(Law::viscous, 0))
-  {
-    return Law::viscous;
-  }
-  template <typename Law>
-  constexpr bool law_is_viscous(...)
-  {
-    return false;
-  }
-
-  /** Law::stiffens, false for a law that does not speak of it. */
-  template <typename Law>
-  constexpr bool law_stiffens(decltype(Law::stiffens, 0))
-  {
-    return Law::stiffens;
-  }
-  template <typename Law>
-  constexpr bool law_stiffens(...)
-  {
-    return false;
-  }
-
-  /** Whether a law speaks of a shear vector that may rest. */
-  template <typename Law>
-  constexpr bool has_resting_shear(decltype(Law::resting_shear, 0))
-  {
-    return true;
-  }
-  template <typename Law>
-  constexpr bool has_resting_shear(...)
-  {
-    return false;
-  }
-
-  /** Law::tells_elements, false for a law that does not speak of it. */
-  template <typename Law>
-  constexpr bool law_tells_elements(decltype(Law::tells_elements, 0))
-  {
-    return Law::tells_elements;
-  }
-  template <typename Law>
-  constexpr bool law_tells_elements(...)
-  {
-    return false;
-  }
-
-  /** Law::has_rows, false for a law that does not speak of it. */
-  template <typename Law>
-  constexpr bool law_has_rows(decltype(Law::has_rows, 0))
-  {
-    return Law::has_rows;
-  }
-  template <typename Law>
-  constexpr bool law_has_rows(...)
-  {
-    return false;
-  }
-
   /**
    * Makes of a law, as it is written in its own file, the LinkLaw that everybody else works with.
    *
-   * `Law` is a type without data. doc/theory/link-laws.md says what it declares:
+   * `Law` is a type without data, derived from LinkLawDefaults. doc/theory/link-laws.md says what it declares:
    *
    *   name, bonds, moment, breaks_in_place, records                 constants
-   *   waits, viscous, stiffens                                      constants, where they hold (LinkLaw)
+   *   waits, viscous, stiffens                                      constants, where they hold (LinkLawTraits)
    *   damping_ratio(constants)                                      of a viscous law
    *   resting_shear, acts(state, strain)                            place of a shear vector that stays zero while acts() is false,
    *                                                                 for laws with a moment: it is neither turned nor written then
@@ -132,7 +61,8 @@ namespace dem
      * @param vector_dimension of the vectors across the link in the histories: 3, or 2 for links in the plane with one component
      */
     LinkLawOf(std::vector<Constants> of_pairs, const int vector_dimension, const bool particles_rotate)
-      : all(std::move(of_pairs))
+      : LinkLaw(traits_of(of_pairs, vector_dimension, particles_rotate))
+      , all(std::move(of_pairs))
       , dimension(vector_dimension)
       , rotations(particles_rotate)
       , table(record * all.size(), 0.0)
@@ -143,29 +73,6 @@ namespace dem
 
     const Constants &constants(const std::size_t pair) const { return all[pair]; }
     const double    *record_of(const std::size_t pair) const { return &table[record * pair]; }
-
-    const char *name() const override { return Law::name; }
-    std::size_t pairs() const override { return all.size(); }
-    bool        planar() const override { return dimension != 3; }
-    bool        has_moment() const override { return Law::moment && rotations; }
-    bool        breaks_in_place() const override { return Law::breaks_in_place; }
-    bool        bonds() const override { return Law::bonds; }
-    bool        waits() const override { return law_waits<Law>(0); }
-    bool        viscous() const override
-    {
-      for (std::size_t pair = 0; pair < all.size(); ++pair)
-        if (damping_ratio(pair) > 0)
-          return true;
-      return false;
-    }
-    bool   stiffens() const override { return law_stiffens<Law>(0); }
-    double damping_ratio([[maybe_unused]] const std::size_t pair) const override
-    {
-      if constexpr (law_is_viscous<Law>(0))
-        return Law::damping_ratio(all[pair]);
-      else
-        return 0.0;
-    }
 
     LinkPass pass(const Mixture mixture) const override
     {
@@ -189,7 +96,7 @@ namespace dem
             quantity.name += "_" + std::to_string(c);
             all_columns.push_back(std::move(quantity));
           }
-      if constexpr (law_has_rows<Law>(0))
+      if constexpr (Law::has_rows)
         for (const LinkQuantity &quantity : Law::rows(all.front(), across))
           all_columns.push_back(quantity);
       return all_columns;
@@ -203,7 +110,7 @@ namespace dem
         if (dimension == 3)
           for (int i = 0; i < SpaceState::axes; ++i)
             put_axis(link, history + SpaceState::columns - 3 * (SpaceState::axes - i));
-      if constexpr (law_has_rows<Law>(0))
+      if constexpr (Law::has_rows)
         Law::begin_rows(all[pair], link, dimension == 3 ? 3 : 1, history, history + columns_before_rows());
     }
 
@@ -225,7 +132,7 @@ namespace dem
                                                const Eigen::Vector3d &direction,
                                                const double          *history) const override
     {
-      if constexpr (law_tells_elements<Law>(0))
+      if constexpr (Law::tells_elements)
         {
           auto found =
             with_state(history, [&](const auto &state) { return Law::broken_elements(all[pair], link, state); });
@@ -270,7 +177,7 @@ namespace dem
     {
       require_space();
       SpaceState state = state_of<3>(before);
-      if constexpr (law_has_rows<Law>(0))
+      if constexpr (Law::has_rows)
         {
           const std::size_t first = columns_before_rows();
           if (before != history)
@@ -306,6 +213,24 @@ namespace dem
   private:
     static constexpr std::size_t record = 8 * Law::records;
     using SpaceState                    = typename Law::template State<double, 3>;
+
+    static LinkLawTraits
+    traits_of(const std::vector<Constants> &of_pairs, const int vector_dimension, const bool particles_rotate)
+    {
+      LinkLawTraits traits;
+      traits.name            = Law::name;
+      traits.pairs           = of_pairs.size();
+      traits.planar          = vector_dimension != 3;
+      traits.has_moment      = Law::moment && particles_rotate;
+      traits.breaks_in_place = Law::breaks_in_place;
+      traits.bonds           = Law::bonds;
+      traits.waits           = Law::waits;
+      traits.stiffens        = Law::stiffens;
+      if constexpr (Law::viscous)
+        for (const Constants &k : of_pairs)
+          traits.damping_ratio.push_back(Law::damping_ratio(k));
+      return traits;
+    }
 
     /** Across the link: in the plane n turned by +90 degrees; in space the same where that can be. */
     static void put_axis(const NewLink &link, double *axis)
@@ -354,7 +279,7 @@ namespace dem
       for (int i = 0; i < state.axes; ++i)
         for (int c = 0; c < m; ++c)
           state.axis[i][c] = *history++;
-      if constexpr (law_has_rows<Law>(0))
+      if constexpr (Law::has_rows)
         state.rows.from = history;
       return state;
     }

@@ -21,7 +21,7 @@ namespace dem::link_update
     static constexpr int  across        = dimension == 3 ? 3 : 1; ///< components of a vector across the link
     static constexpr bool moment        = Law::moment && rotations;
     static constexpr bool first_order   = is_first_order_shear<Law>;
-    static constexpr bool may_rest      = moment && dimension == 3 && has_resting_shear<Law>(0);
+    static constexpr bool may_rest      = moment && dimension == 3 && Law::resting_shear >= 0;
 
     template <typename T>
     using State = typename Law::template State<T, across>;

@@ -68,7 +68,7 @@ namespace dem::link_update
     motion.reference         = reference;
     motion.inverse_reference = inverse_reference;
     motion.area              = area;
-    if constexpr (law_is_viscous<typename P::Law>(0))
+    if constexpr (P::Law::viscous)
       motion.per_second = per_second;
     return motion;
   }
@@ -116,7 +116,7 @@ namespace dem::link_update
 
     State state;
     load_history<P>(history, l, state);
-    if constexpr (law_has_rows<typename P::Law>(0))
+    if constexpr (P::Law::has_rows)
       state.rows = {history.rows, l};
     const State before    = state;
     const Pack  reference = load(&links.reference_length[l]), area = load(&links.area[l]);
@@ -214,7 +214,7 @@ namespace dem::link_update
     account.friction += sum_of(sums.work.friction);
     account.damage += sum_of(sums.work.damage);
     account.released += sum_of(sums.work.released);
-    if constexpr (law_is_viscous<typename P::Law>(0))
+    if constexpr (P::Law::viscous)
       account.viscous += sum_of(sums.work.viscous);
     account.event = any(sums.event);
     if (links.periodic)

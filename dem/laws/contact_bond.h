@@ -47,7 +47,7 @@ namespace dem
    * breaks when its force reaches the strength in tension or, below that, in shear; the linear contact that is left answers in the
    * same step (doc/theory/contact-bond.md).
    */
-  struct ContactBond
+  struct ContactBond : LinkLawDefaults
   {
     using Constants = ContactBondConstants;
 
@@ -179,20 +179,10 @@ namespace dem
              (k.normal * normal * normal + k.shear * dot(state.shear[0], state.shear[0]));
     }
     template <typename S>
-    static double damage_dissipation(const Constants &, const LinkGeometry &, const S &)
-    {
-      return 0;
-    }
-    template <typename S>
     static LinkLoss damage(const Constants &, const LinkGeometry &, const S &state)
     {
       const double lost = state.number[broken] < 0.5 ? 0.0 : 1.0;
       return {lost, lost};
-    }
-    template <typename S>
-    static double damaging_strain(const Constants &, const S &)
-    {
-      return std::numeric_limits<double>::infinity(); // it breaks at once, which opening control cannot follow
     }
     template <typename S>
     static LinkExertion
@@ -219,6 +209,7 @@ namespace dem
     static constexpr const char *name = "contact-bond";
     static constexpr const char *meaning =
       "Contact bond: a linear contact that carries tension and does not slide until it breaks; no moment";
+    static constexpr bool touches_only = false;
 
     /** Means of all constants, and of the angles of friction. */
     static ContactBondParameters mean_of(const Material<ContactBondParameters> &one,

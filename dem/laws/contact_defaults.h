@@ -7,7 +7,7 @@
 namespace dem
 {
   /** What laws of contacts without bond, moment or damage have in common; whose force is zero by the update itself while nothing touches. */
-  struct UndamagedContact
+  struct UndamagedContact : LinkLawDefaults
   {
     static constexpr bool bonds = false, moment = false, breaks_in_place = false, waits = true;
 
@@ -17,19 +17,9 @@ namespace dem
       return link.strain > 0 ? LinkPhase::apart : LinkPhase::broken;
     }
     template <typename Constants, typename S>
-    static double damage_dissipation(const Constants &, const LinkGeometry &, const S &)
-    {
-      return 0;
-    }
-    template <typename Constants, typename S>
     static LinkLoss damage(const Constants &, const LinkGeometry &, const S &)
     {
       return {1, 1};
-    }
-    template <typename Constants, typename S>
-    static double damaging_strain(const Constants &, const S &)
-    {
-      return std::numeric_limits<double>::infinity();
     }
 
   protected:

@@ -202,6 +202,7 @@ namespace dem
 
     static constexpr const char *name    = "CPM";
     static constexpr const char *meaning = "Cohesive particle model: damage in tension, cohesion and friction in shear";
+    static constexpr bool        touches_only = false;
 
     static CpmParameters mean_of(const CpmMaterial &one, const CpmMaterial &other) { return dem::mean_of(one, other); }
     /** @throws base::InputError naming the entry that is out of range */

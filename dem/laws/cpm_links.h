@@ -14,7 +14,7 @@
 namespace dem
 {
   /** What bonds and contacts of the cohesive particle model share: constants, stiffness, sliding. */
-  struct CpmLinks
+  struct CpmLinks : LinkLawDefaults
   {
     using Constants = CpmConstants;
 
@@ -340,19 +340,9 @@ namespace dem
       return stored_with(k, link, 1.0, state.shear[0]);
     }
     template <typename S>
-    static double damage_dissipation(const CpmConstants &, const LinkGeometry &, const S &)
-    {
-      return 0.0;
-    }
-    template <typename S>
     static LinkLoss damage(const CpmConstants &, const LinkGeometry &, const S &)
     {
       return {1.0, 1.0};
-    }
-    template <typename S>
-    static double damaging_strain(const CpmConstants &, const S &)
-    {
-      return std::numeric_limits<double>::infinity();
     }
     template <typename S>
     static LinkExertion

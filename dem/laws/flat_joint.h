@@ -69,7 +69,7 @@ namespace dem
    * one by one, in tension or shear; unbonded ones push where they are closed and slide with friction. So a joint breaks partly, and
    * resists rotation even when broken (doc/theory/flat-joint.md).
    */
-  struct FlatJoint
+  struct FlatJoint : LinkLawDefaults
   {
     using Constants = FlatJointConstants;
 
@@ -177,20 +177,10 @@ namespace dem
     template <typename S>
     static double stored(const Constants &k, const LinkGeometry &link, const S &state);
     template <typename S>
-    static double damage_dissipation(const Constants &, const LinkGeometry &, const S &)
-    {
-      return 0;
-    }
-    template <typename S>
     static LinkLoss damage(const Constants &k, const LinkGeometry &, const S &state)
     {
       const double lost = state.rows.get(broken) / k.layout->size();
       return {lost, lost};
-    }
-    template <typename S>
-    static double damaging_strain(const Constants &, const S &)
-    {
-      return std::numeric_limits<double>::infinity(); // it breaks at once, which opening control cannot follow
     }
     template <typename S>
     static LinkExertion
@@ -211,6 +201,7 @@ namespace dem
     static constexpr const char *meaning = "Flat joint: a flat surface of elements that break one by one, push and "
                                            "slide with friction; resists rotation when "
                                            "broken";
+    static constexpr bool        touches_only = false;
 
     /**
      * Means of all constants, and of the angles of friction.

@@ -63,7 +63,7 @@ namespace dem
    * The contact pushes where particles are nearer than they were made (or than the sum of radii, if that is nearer): a packing whose
    * particles overlap is without force.
    */
-  struct ParallelBond
+  struct ParallelBond : LinkLawDefaults
   {
     using Constants = ParallelBondConstants;
 
@@ -237,19 +237,9 @@ namespace dem
                               bond.twist * state.number[twist] * state.number[twist]);
     }
     template <typename S>
-    static double damage_dissipation(const Constants &, const LinkGeometry &, const S &)
-    {
-      return 0; // what a breaking bond sets free is summed up when it breaks
-    }
-    template <typename S>
     static LinkLoss damage(const Constants &, const LinkGeometry &, const S &state)
     {
       return {state.number[broken], state.number[broken]};
-    }
-    template <typename S>
-    static double damaging_strain(const Constants &, const S &)
-    {
-      return std::numeric_limits<double>::infinity(); // it breaks at once, which opening control cannot follow
     }
     template <typename S>
     static LinkExertion
@@ -323,6 +313,7 @@ namespace dem
     static constexpr const char *name = "parallel-bond";
     static constexpr const char *meaning =
       "Linear parallel bond: force and moment up to a tensile or shear strength, beside a linear contact";
+    static constexpr bool touches_only = false;
 
     /** Means of all constants, and of the angles of friction. */
     static ParallelBondParameters mean_of(const Material<ParallelBondParameters> &one,

@@ -77,19 +77,7 @@ namespace dem
   /** Before scenes are read: a test, or a program that brings a law of its own. */
   void add_link_law(std::shared_ptr<const LinkLawKind> law);
 
-  /** Law::touches_only, false for a law that does not speak of it. */
-  template <typename Law>
-  constexpr bool law_touches_only(decltype(Law::touches_only, 0))
-  {
-    return Law::touches_only;
-  }
-  template <typename Law>
-  constexpr bool law_touches_only(...)
-  {
-    return false;
-  }
-
-  /** The kind of a law that describes itself: name, meaning, Parameters, describe(), check(), mean_of(), bonds(), contacts(). */
+  /** The kind of a law that describes itself: name, meaning, touches_only, Parameters, describe(), check(), mean_of(), bonds(), contacts(). */
   template <typename Law>
   class LinkLawKindOf final : public LinkLawKind
   {
@@ -98,7 +86,7 @@ namespace dem
 
     std::string                    name() const override { return Law::name; }
     std::string                    meaning() const override { return Law::meaning; }
-    bool                           touches_only() const override { return law_touches_only<Law>(0); }
+    bool                           touches_only() const override { return Law::touches_only; }
     std::shared_ptr<LinkConstants> constants() const override { return std::make_shared<Constants>(); }
     /** Constants that a program has at hand. */
     static std::shared_ptr<LinkConstants> constants_of(const Parameters &parameters)

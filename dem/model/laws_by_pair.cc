@@ -9,8 +9,43 @@
 
 namespace dem
 {
+  namespace
+  {
+    using Laws = std::vector<std::shared_ptr<const LinkLaw>>;
+
+    std::string names_of(const Laws &laws)
+    {
+      std::string names;
+      for (const auto &law : laws)
+        if (("," + names + ",").find("," + std::string(law->name()) + ",") == std::string::npos)
+          names += (names.empty() ? "" : ",") + std::string(law->name());
+      return names;
+    }
+
+    LinkLawTraits traits_of(const Laws &laws, const std::vector<std::int32_t> &kinds)
+    {
+      const auto any = [&](bool (LinkLaw::*has)() const) {
+        return std::any_of(laws.begin(), laws.end(), [&](const auto &law) { return (*law.*has)(); });
+      };
+      LinkLawTraits traits;
+      traits.name            = names_of(laws);
+      traits.pairs           = kinds.size();
+      traits.planar          = laws.front()->planar();
+      traits.has_moment      = any(&LinkLaw::has_moment);
+      traits.breaks_in_place = any(&LinkLaw::breaks_in_place);
+      traits.bonds           = any(&LinkLaw::bonds);
+      traits.waits           = std::all_of(laws.begin(), laws.end(), [](const auto &law) { return law->waits(); });
+      traits.stiffens        = any(&LinkLaw::stiffens);
+      traits.kinds           = kinds;
+      for (std::size_t pair = 0; pair < kinds.size(); ++pair)
+        traits.damping_ratio.push_back(laws[static_cast<std::size_t>(kinds[pair])]->damping_ratio(pair));
+      return traits;
+    }
+  } // namespace
+
   LawsByPair::LawsByPair(std::vector<std::shared_ptr<const LinkLaw>> laws, std::vector<std::int32_t> kinds)
-    : law(std::move(laws))
+    : LinkLaw(traits_of(laws, kinds))
+    , law(std::move(laws))
     , kind(std::move(kinds))
   {
     std::size_t columns = 0;
@@ -20,8 +55,6 @@ namespace dem
           throw std::logic_error("a law among several lacks constants of a pair of materials");
         first_column.push_back(columns);
         columns += each->columns().size();
-        if (("," + names + ",").find("," + std::string(each->name()) + ",") == std::string::npos)
-          names += (names.empty() ? "" : ",") + std::string(each->name());
       }
   }
 
@@ -56,38 +89,6 @@ namespace dem
           all.push_back(std::move(quantity));
         }
     return all;
-  }
-
-  bool LawsByPair::has_moment() const
-  {
-    return std::any_of(law.begin(), law.end(), [](const auto &each) { return each->has_moment(); });
-  }
-
-  bool LawsByPair::breaks_in_place() const
-  {
-    return std::any_of(law.begin(), law.end(), [](const auto &each) { return each->breaks_in_place(); });
-  }
-
-  bool LawsByPair::waits() const
-  {
-    return std::all_of(law.begin(), law.end(), [](const auto &each) { return each->waits(); });
-  }
-
-  bool LawsByPair::viscous() const
-  {
-    return std::any_of(law.begin(), law.end(), [](const auto &each) { return each->viscous(); });
-  }
-
-  bool LawsByPair::stiffens() const
-  {
-    return std::any_of(law.begin(), law.end(), [](const auto &each) { return each->stiffens(); });
-  }
-
-  double LawsByPair::damping_ratio(const std::size_t pair) const { return law_of(pair).damping_ratio(pair); }
-
-  bool LawsByPair::bonds() const
-  {
-    return std::any_of(law.begin(), law.end(), [](const auto &each) { return each->bonds(); });
   }
 
   double LawsByPair::reference_length(const std::size_t pair, const NewLink &link) const

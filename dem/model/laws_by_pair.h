@@ -11,7 +11,7 @@ namespace dem
   /**
    * Links of which each pair of materials obeys a law of its own kind: a bond law in mortar, another one at its interfaces. To everybody else
    * it is one law, whose history holds the columns of all of them, one law after the other; a link uses its own law's, the others stay
-   * zero. Queries of a link are answered by its own law. In the link pass each law goes through its own blocks (LinkSet::first_block).
+   * zero. Its name is those of all, each once: "parallel-bond,contact-bond". Queries of a link are answered by its own law. In the link pass each law goes through its own blocks (LinkSet::first_block).
    */
   class LawsByPair final : public LinkLaw
   {
@@ -22,20 +22,9 @@ namespace dem
      */
     LawsByPair(std::vector<std::shared_ptr<const LinkLaw>> laws, std::vector<std::int32_t> kinds);
 
-    const char *name() const override { return names.c_str(); } ///< of all, each once: "parallel-bond,contact-bond"
-    std::size_t pairs() const override { return kind.size(); }
-    LinkPass    pass(Mixture mixture) const override;
+    LinkPass pass(Mixture mixture) const override;
 
     std::vector<LinkQuantity> columns() const override;
-    bool                      planar() const override { return law.front()->planar(); }
-    bool                      has_moment() const override;
-    bool                      breaks_in_place() const override;
-    bool                      bonds() const override;
-    bool                      waits() const override;
-    bool                      viscous() const override;
-    bool                      stiffens() const override;
-    double                    damping_ratio(std::size_t pair) const override;
-    std::vector<std::int32_t> kinds() const override { return kind; }
 
     double reference_length(std::size_t pair, const NewLink &link) const override;
     void   begin(std::size_t pair, const NewLink &link, double *history) const override;
@@ -75,6 +64,5 @@ namespace dem
     std::vector<std::shared_ptr<const LinkLaw>> law;
     std::vector<std::int32_t>                   kind;
     std::vector<std::size_t>                    first_column; ///< of each law
-    std::string                                 names;
   };
 } // namespace dem

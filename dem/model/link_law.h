@@ -6,10 +6,12 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace dem
@@ -140,6 +142,25 @@ namespace dem
     bool slides  = false; ///< the shear force was returned to the strength, or is about to be
   };
 
+  /** What a law is, for all of its links and for good. */
+  struct LinkLawTraits
+  {
+    std::string name;
+    std::size_t pairs           = 0;     ///< of materials
+    bool        planar          = false; ///< of discs
+    bool        has_moment      = false;
+    bool        breaks_in_place = false; ///< a broken bond stays in its place as a contact
+    bool        bonds           = false; ///< carries tension; otherwise it lives only in contact
+    /** Its contacts may be made before the particles touch, and remain when they part: nothing is made or deleted at each touch. */
+    bool waits = false;
+    /** Its stiffness grows with the overlap, so that the stable step shrinks in the course of a contact. */
+    bool stiffens = false;
+    /** Of each pair, part of the critical damping that its dashpots have, zeta [-]; empty: there are none. */
+    std::vector<double> damping_ratio;
+    /** Where pairs of materials obey laws of different kinds, the number of each one's law; empty: all obey the same. */
+    std::vector<std::int32_t> kinds;
+  };
+
   /**
    * The law of all links of one kind (bonds, or contacts) in one specimen: its constants for every pair of materials, the pass that
    * updates the links, and answers all queries of single ones. Chosen once per scene; the pass knows it at compile time.
@@ -151,30 +172,27 @@ namespace dem
   public:
     virtual ~LinkLaw() = default;
 
-    virtual const char *name() const  = 0;
-    virtual std::size_t pairs() const = 0;
-    bool                several() const { return pairs() > 1; }
+    const char *name() const { return traits.name.c_str(); }
+    std::size_t pairs() const { return traits.pairs; }
+    bool        several() const { return pairs() > 1; }
+    bool        planar() const { return traits.planar; }
+    bool        has_moment() const { return traits.has_moment; }
+    bool        breaks_in_place() const { return traits.breaks_in_place; }
+    bool        bonds() const { return traits.bonds; }
+    bool        waits() const { return traits.waits; }
+    bool        stiffens() const { return traits.stiffens; }
+    bool        viscous() const; ///< its force depends on the speed
+    double      damping_ratio(const std::size_t pair) const
+    {
+      return traits.damping_ratio.empty() ? 0.0 : traits.damping_ratio[pair];
+    }
+    const std::vector<std::int32_t> &kinds() const { return traits.kinds; }
 
     /** The pass for what the specimen is. @param mixture of its particles */
     virtual LinkPass pass(Mixture mixture) const = 0;
 
     /** What a link remembers, one entry per column of its history (vectors across the link: one per component). */
-    virtual std::vector<LinkQuantity> columns() const         = 0;
-    virtual bool                      planar() const          = 0; ///< of discs
-    virtual bool                      has_moment() const      = 0;
-    virtual bool                      breaks_in_place() const = 0; ///< a broken bond stays in its place as a contact
-    virtual bool                      bonds() const = 0; ///< carries tension; otherwise it lives only in contact
-    /** Its contacts may be made before the particles touch, and remain when they part: nothing is made or deleted at each touch. */
-    virtual bool waits() const { return false; }
-    /** Its force depends on the speed. */
-    virtual bool viscous() const { return false; }
-    /** Part of the critical damping that its dashpots have, zeta [-]. */
-    virtual double damping_ratio(std::size_t) const { return 0.0; }
-    /** Its stiffness grows with the overlap, so that the stable step shrinks in the course of a contact. */
-    virtual bool stiffens() const { return false; }
-    /** Where pairs of materials obey laws of different kinds, the number of each one's law; empty: all obey the same. */
-    virtual std::vector<std::int32_t> kinds() const { return {}; }
-
+    virtual std::vector<LinkQuantity> columns() const = 0;
     /** Length that strains are measured against [m]. */
     virtual double reference_length(std::size_t pair, const NewLink &link) const = 0;
     /** History of a new link. */
@@ -229,5 +247,22 @@ namespace dem
      */
     virtual base::Matrix6 tangent(
       std::size_t pair, const LinkStep &step, const double *before, const double *history, LinkTangent kind) const = 0;
+
+  protected:
+    explicit LinkLaw(LinkLawTraits own)
+      : traits(std::move(own))
+    {
+    }
+    LinkLaw(const LinkLaw &)            = default;
+    LinkLaw &operator=(const LinkLaw &) = default;
+
+  private:
+    LinkLawTraits traits;
   };
+
+  inline bool LinkLaw::viscous() const
+  {
+    return std::any_of(traits.damping_ratio.begin(), traits.damping_ratio.end(),
+                       [](const double zeta) { return zeta > 0; });
+  }
 } // namespace dem

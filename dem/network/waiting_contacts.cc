@@ -18,7 +18,8 @@ namespace dem
     {
     public:
       BondsAndWaitingContacts(std::shared_ptr<const LinkLaw> bonds_, std::shared_ptr<const LinkLaw> contacts_)
-        : bond(std::move(bonds_))
+        : LinkLaw(traits_of(*bonds_, *contacts_))
+        , bond(std::move(bonds_))
         , contact(std::move(contacts_))
         , fresh(contact->columns().size())
         , gap(2 * fresh)
@@ -27,14 +28,8 @@ namespace dem
           throw std::invalid_argument("waiting contacts: bonds and contacts are of different materials.");
       }
 
-      const char *name() const override { return bond->name(); }
-      std::size_t pairs() const override { return 2 * bond->pairs(); }
-      bool        planar() const override { return bond->planar(); }
-      bool        has_moment() const override { return bond->has_moment() || contact->has_moment(); }
-      bool        breaks_in_place() const override { return bond->breaks_in_place(); }
-      bool        bonds() const override { return true; }
-      LinkPass    pass(Mixture) const override { only_statics(); }
-      double      reference_length(std::size_t, const NewLink &) const override { only_statics(); }
+      LinkPass pass(Mixture) const override { only_statics(); }
+      double   reference_length(std::size_t, const NewLink &) const override { only_statics(); }
 
       std::vector<LinkQuantity> columns() const override
       {
@@ -204,6 +199,18 @@ namespace dem
         whole << step.shear_increment, step.bending_increment + step.twist_increment * n;
         part.leftCols<3>() -= step.strain_before / (opening * opening) * whole * n.transpose();
         return part;
+      }
+
+      static LinkLawTraits traits_of(const LinkLaw &bonds, const LinkLaw &contacts)
+      {
+        LinkLawTraits traits;
+        traits.name            = bonds.name();
+        traits.pairs           = 2 * bonds.pairs();
+        traits.planar          = bonds.planar();
+        traits.has_moment      = bonds.has_moment() || contacts.has_moment();
+        traits.breaks_in_place = bonds.breaks_in_place();
+        traits.bonds           = true;
+        return traits;
       }
 
       std::shared_ptr<const LinkLaw> bond, contact;

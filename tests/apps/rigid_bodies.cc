@@ -92,9 +92,9 @@ TEST_CASE("Bodies filled with pebbles weigh on a floor what their shapes weigh, 
   CHECK(std::fabs(found.series.column("weight").back()) == Approx(weight).epsilon(1e-3));
   CHECK(found.balance_error() < 1e-3);
   // From a face to the centre of each, up to what is left between face and pebbles.
-  const auto lies_at = [&](const char *gauge, const double height) {
-    INFO(gauge);
-    CHECK(found.series.column(gauge).back() == Approx(height).margin(2e-4));
+  const auto lies_at = [&](const char *probe, const double height) {
+    INFO(probe);
+    CHECK(found.series.column(probe).back() == Approx(height).margin(2e-4));
   };
   lies_at("height", 0.01);
   lies_at("tetrahedron_height", 0.01 / std::sqrt(3.0));

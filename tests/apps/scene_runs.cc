@@ -4,9 +4,9 @@
 
 namespace apps_tests
 {
-  double Results::figure(const char *gauge, const char *when) const
+  double Results::figure(const char *probe, const char *when) const
   {
-    return summary["figures"][gauge][when]["value"].get<double>();
+    return summary["figures"][probe][when]["value"].get<double>();
   }
 
   double Results::balance_error() const { return summary["energy"]["balance_error"].get<double>(); }

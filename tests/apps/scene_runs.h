@@ -17,7 +17,7 @@ namespace apps_tests
     nlohmann::json        summary;
     postprocess::CsvTable series;
 
-    double figure(const char *gauge, const char *when) const;
+    double figure(const char *probe, const char *when) const;
     double balance_error() const;
   };
 

@@ -84,8 +84,8 @@ TEST_CASE("A condition of Stop ends a run beyond its value, and not before its t
 
 TEST_CASE("The summary of a solid holds its probes as they are declared", "[apps]")
 {
-  using apps::GaugeColumn;
-  using Told = GaugeColumn::Told;
+  using apps::ProbeColumn;
+  using Told = ProbeColumn::Told;
   apps::RunRequest request;
   request.scene_file           = "bar.prm";
   postprocess::CsvTable series = table({"load_factor", "opening", "reaction_left_x", "energy_dissipated",

@@ -34,9 +34,10 @@ namespace
 
   struct UncountedLaw
   {
-    using Parameters                     = UncountedParameters;
-    static constexpr const char *name    = "uncounted";
-    static constexpr const char *meaning = "Cohesive links without an account of energy";
+    using Parameters                          = UncountedParameters;
+    static constexpr const char *name         = "uncounted";
+    static constexpr const char *meaning      = "Cohesive links without an account of energy";
+    static constexpr bool        touches_only = false;
 
     static Parameters mean_of(const dem::Material<Parameters> &one, const dem::Material<Parameters> &)
     {

@@ -47,7 +47,7 @@ namespace
   };
 
   /** A rubber band: sigma = E (eps + b eps^3), shear with E/3, snaps at its largest stretch; it remembers how far it was stretched. */
-  struct Rubber
+  struct Rubber : dem::LinkLawDefaults
   {
     using Constants                    = RubberConstants;
     static constexpr const char *name  = "rubber";
@@ -113,19 +113,9 @@ namespace
              (e2 / 2 + k.stiffening * e2 * e2 / 4 + dot(state.shear[0], state.shear[0]) / 6);
     }
     template <typename S>
-    static double damage_dissipation(const Constants &, const dem::LinkGeometry &, const S &)
-    {
-      return 0;
-    }
-    template <typename S>
     static dem::LinkLoss damage(const Constants &, const dem::LinkGeometry &, const S &)
     {
       return {};
-    }
-    template <typename S>
-    static double damaging_strain(const Constants &, const S &)
-    {
-      return std::numeric_limits<double>::infinity();
     }
     template <typename S>
     static dem::LinkExertion exertion(const Constants &k, const dem::LinkGeometry &, const S &state, double, double)
@@ -149,9 +139,10 @@ namespace
 
   struct RubberLaw
   {
-    using Parameters                     = RubberParameters;
-    static constexpr const char *name    = "rubber";
-    static constexpr const char *meaning = "Rubber band";
+    using Parameters                          = RubberParameters;
+    static constexpr const char *name         = "rubber";
+    static constexpr const char *meaning      = "Rubber band";
+    static constexpr bool        touches_only = false;
     static Parameters            mean_of(const dem::Material<Parameters> &one, const dem::Material<Parameters> &)
     {
       return one.parameters;

@@ -38,11 +38,11 @@ namespace library_tests
     thrown.group                 = "ball";
     thrown.velocity[0]           = apps::Expression("0.5", "Velocity x");
     thrown.velocity[2]           = apps::Expression("-1", "Velocity z");
-    apps::GaugeSection &height   = model.gauges.gauges.emplace_back();
+    apps::ProbeSection &height   = model.probes.probes.emplace_back();
     height.name                  = "height";
-    height.quantity              = apps::GaugeSection::Quantity::position;
+    height.quantity              = apps::ProbeSection::Quantity::position;
     height.group                 = "ball";
-    height.component             = apps::GaugeSection::Component::z;
+    height.component             = apps::ProbeSection::Component::z;
 
     model.end_time         = 1e-3;
     model.time.step_factor = 0.1;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "apps/runs/continuum/gauges.h"
+#include "apps/runs/continuum/probes.h"
 #include "apps/runs/continuum/model.h"
 #include "base/state.h"
 #include "fem/explicit/explicit_solver.h"
@@ -27,7 +27,7 @@ namespace apps
     virtual bool finished() const = 0;
 
     virtual SolidState      state() const      = 0;
-    virtual ContinuumEnergy energy() const     = 0; ///< all but what is stored, which gauges read
+    virtual ContinuumEnergy energy() const     = 0; ///< all but what is stored, which probes read
     virtual double          coordinate() const = 0; ///< time, controlled opening or length of arc: it only grows
     virtual double          end() const        = 0; ///< of the coordinate
 

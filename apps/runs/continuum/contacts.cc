@@ -1,7 +1,7 @@
 #include "apps/runs/continuum/contacts.h"
 
 #include "apps/results/run_work.h"
-#include "apps/runs/continuum/gauges.h"
+#include "apps/runs/continuum/probes.h"
 #include "apps/text/name_list.h"
 
 #include <fmt/format.h>

@@ -62,7 +62,7 @@ namespace apps
     if (prepare)
       prepare(*solid);
     analysis = make_analysis<dim>(*solid, model);
-    gauges   = std::make_unique<ContinuumGauges<dim>>(*solid, model);
+    probes   = std::make_unique<ContinuumProbes<dim>>(*solid, model);
     choose_curve();
   }
 
@@ -70,8 +70,8 @@ namespace apps
   std::vector<postprocess::SeriesColumn> ContinuumRun<dim>::series_columns() const
   {
     std::vector<postprocess::SeriesColumn> all = analysis->columns();
-    for (const GaugeColumn &gauge : gauges->columns())
-      all.push_back(gauge.column);
+    for (const ProbeColumn &probe : probes->columns())
+      all.push_back(probe.column);
     for (const char *energy : {"energy_external", "energy_internal", "energy_residual"})
       all.push_back({energy, "J"});
     all.push_back({"energy_balance_error", "-"});
@@ -87,7 +87,7 @@ namespace apps
     const auto has = [&](const std::string &name) {
       return std::find(names.begin(), names.end(), name) != names.end();
     };
-    const std::string reaction = gauges->first_reaction();
+    const std::string reaction = probes->first_reaction();
     horizontal =
       chosen_column(names, "Curve horizontal", model.output.horizontal, has("opening") ? "opening" : names.front());
     vertical =
@@ -171,7 +171,7 @@ namespace apps
       {
         const Progress progress("equilibrium of the start");
         settle(*solid, *analysis);
-        gauges->start_at(*analysis->state().displacement);
+        probes->start_at(*analysis->state().displacement);
       }
     snapshot();
     if (settle)
@@ -198,7 +198,7 @@ namespace apps
     state.column("snapshot_times", snapshot_times);
     if (state.reads() && model.output.snapshots > 0)
       on_first_rank([&] { snapshots->restore(snapshot_times); });
-    gauges->visit_state(state);
+    probes->visit_state(state);
     state.group("analysis");
     analysis->visit_state(state);
     if (least_left > 0)
@@ -230,7 +230,7 @@ namespace apps
   {
     ContinuumEnergy     energy = analysis->energy();
     std::vector<double> values = analysis->values();
-    for (const double value : gauges->read(analysis->state(), energy))
+    for (const double value : probes->read(analysis->state(), energy))
       values.push_back(value);
     values.insert(values.end(), {energy.external, energy.internal, energy.residual(), energy.balance_error()});
 
@@ -310,7 +310,7 @@ namespace apps
     size.points   = size.elements * solid->quadrature().size();
     const ContinuumReport found{request,
                                 series,
-                                gauges->columns(),
+                                probes->columns(),
                                 size,
                                 analysis->cost(),
                                 analysis->linear_solver(),

@@ -107,7 +107,7 @@ namespace apps
 
     std::unique_ptr<fem::Solid<dim>>          solid;
     std::unique_ptr<ContinuumAnalysis<dim>>   analysis;
-    std::unique_ptr<ContinuumGauges<dim>>     gauges;
+    std::unique_ptr<ContinuumProbes<dim>>     probes;
     std::optional<postprocess::PvdCollection> snapshots;      ///< first rank only, as is the next
     base::Column                              snapshot_times; ///< kept where a resumed run takes none
     std::filesystem::path                     location;       ///< where results grow

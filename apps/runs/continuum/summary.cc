@@ -79,12 +79,12 @@ namespace apps
     };
     if (has("load_factor"))
       tell_peak({"load_factor", "-"});
-    for (const GaugeColumn &gauge : gauges)
+    for (const ProbeColumn &probe : probes)
       {
-        if (gauge.told == GaugeColumn::Told::peak)
-          tell_peak(gauge.column);
-        if (gauge.told == GaugeColumn::Told::last)
-          found[gauge.told_as] = quantity(last(gauge.column.name), gauge.column.unit);
+        if (probe.told == ProbeColumn::Told::peak)
+          tell_peak(probe.column);
+        if (probe.told == ProbeColumn::Told::last)
+          found[probe.told_as] = quantity(last(probe.column.name), probe.column.unit);
       }
     if (has_opening)
       found["final_opening"] = quantity(last("opening"), "m");

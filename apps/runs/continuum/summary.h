@@ -2,7 +2,7 @@
 
 #include "apps/figures/contact_figures.h"
 #include "apps/results/run_request.h"
-#include "apps/runs/continuum/gauge_column.h"
+#include "apps/runs/continuum/probe_column.h"
 #include "fem/output/solid_extremes.h"
 #include "postprocess/files/csv_table.h"
 
@@ -32,7 +32,7 @@ namespace apps
   {
     const RunRequest                 &request;
     const postprocess::CsvTable      &series;
-    std::vector<GaugeColumn>          gauges        = {}; ///< of the solid, among the columns of the series
+    std::vector<ProbeColumn>          probes        = {}; ///< of the solid, among the columns of the series
     ContinuumSize                     size          = {};
     std::map<std::string, double>     cost          = {};
     std::string                       linear_solver = "";

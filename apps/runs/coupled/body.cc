@@ -3,7 +3,7 @@
 #include "apps/process/interrupt.h"
 #include "apps/results/run_work.h"
 #include "apps/runs/continuum/contacts.h"
-#include "apps/runs/continuum/gauges.h"
+#include "apps/runs/continuum/probes.h"
 #include "apps/runs/continuum/motion.h"
 #include "apps/runs/continuum/picture.h"
 #include "apps/runs/continuum/snapshot.h"
@@ -74,7 +74,7 @@ namespace apps
             [this] { body.lead_next_step(); },
             names_in(what.continuum.motion.rigid))
         , touching(what.continuum.contacts, both.contacts())
-        , gauges(*solid, what.continuum)
+        , probes(*solid, what.continuum)
         , energies(what, both, touching)
       {
         both.set_largest_ratio(static_cast<int>(what.largest_ratio));
@@ -161,10 +161,10 @@ namespace apps
       std::vector<postprocess::SeriesColumn> told() const override
       {
         std::vector<postprocess::SeriesColumn> all;
-        for (const GaugeColumn &gauge : gauges.columns())
-          all.push_back(of_solid(gauge));
-        for (const GaugeSection &gauge : model.particles.gauges.gauges)
-          all.push_back({gauge.name, gauge.unit()});
+        for (const ProbeColumn &probe : probes.columns())
+          all.push_back(of_solid(probe));
+        for (const ProbeSection &probe : model.particles.probes.probes)
+          all.push_back({probe.name, probe.unit()});
         for (const CouplingSection &coupling : model.couplings.couplings)
           for (int d = 0; d < dim; ++d)
             all.push_back({column_name(coupling.name) + "_force" + axes[d], "N"});
@@ -184,8 +184,8 @@ namespace apps
         const auto      add = [&](const auto &list) { values.insert(values.end(), std::begin(list), std::end(list)); };
         ContinuumEnergy continuum;
         continuum.internal = s.internal;
-        add(gauges.read({&motion->displacement(), &motion->internal_force(), &motion->external_force()}, continuum));
-        add(body.gauges());
+        add(probes.read({&motion->displacement(), &motion->internal_force(), &motion->external_force()}, continuum));
+        add(body.probes());
         for (const auto &surface : both.surfaces())
           for (int d = 0; d < dim; ++d)
             values.push_back(specimen.surfaces().at(surface->surface()).total_force[d]);
@@ -228,7 +228,7 @@ namespace apps
       {
         ContinuumEnergy continuum;
         continuum.internal = motion->energy().internal;
-        gauges.read({&motion->displacement(), &motion->internal_force(), &motion->external_force()}, continuum);
+        probes.read({&motion->displacement(), &motion->internal_force(), &motion->external_force()}, continuum);
         energies.look({time(), motion->energy(), body.specimen().energy(), continuum.dissipated});
       }
 
@@ -374,7 +374,7 @@ namespace apps
         body.visit_state(state);
         state.group("solid");
         visit_motion(state, *motion, *solid);
-        gauges.visit_state(state);
+        probes.visit_state(state);
         state.group("couplings");
         both.visit_state(state);
         figures.visit_state(state);
@@ -560,7 +560,7 @@ namespace apps
       coupling::SolidParticipant<dim>           participant;
       coupling::ConcurrentMotion<dim>           both;
       ObservedContacts<dim>                     touching; ///< between bodies of the solid
-      ContinuumGauges<dim>                      gauges;
+      ContinuumProbes<dim>                      probes;
       ContactFigures                            figures;
       EnergyWatch<dim>                          energies;
       std::vector<std::string>                  doubtful;   ///< of handshakes

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "apps/results/run_state.h"
-#include "apps/runs/continuum/gauge_column.h"
+#include "apps/runs/continuum/probe_column.h"
 #include "apps/runs/coupled/model.h"
 #include "apps/runs/particles/body.h"
 #include "postprocess/files/series.h"

@@ -1,6 +1,6 @@
 #include "apps/runs/coupled/laboratory.h"
 
-#include "apps/runs/continuum/gauge_column.h"
+#include "apps/runs/continuum/probe_column.h"
 #include "apps/text/nearest_name.h"
 
 #include <algorithm>

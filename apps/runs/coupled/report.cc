@@ -3,7 +3,7 @@
 #include "apps/figures/series_figures.h"
 #include "apps/models/tension_beyond_apex.h"
 #include "apps/process/progress.h"
-#include "apps/runs/continuum/gauge_column.h"
+#include "apps/runs/continuum/probe_column.h"
 #include "apps/runs/particles/break_results.h"
 
 #include <fmt/format.h>

@@ -131,22 +131,22 @@ namespace apps
     });
   }
 
-  std::vector<double> ParticlesBody::gauges() const
+  std::vector<double> ParticlesBody::probes() const
   {
     std::vector<double> values;
-    if (model->gauges.gauges.empty())
+    if (model->probes.probes.empty())
       return values;
     const dem::ParticleOutput particles = body.particles();
-    const GaugedBody          seen{body, particles, motion, groups, walls};
-    for (const GaugeSection &gauge : model->gauges.gauges)
-      values.push_back(value_of(gauge, seen));
+    const ProbedBody          seen{body, particles, motion, groups, walls};
+    for (const ProbeSection &probe : model->probes.probes)
+      values.push_back(value_of(probe, seen));
     return values;
   }
 
   std::vector<double> ParticlesBody::row() const
   {
     std::vector<double> row = {body.time()};
-    for (const double value : gauges())
+    for (const double value : probes())
       row.push_back(value);
     if (lab)
       for (const double value : SpecimenTestSection::row(*lab))

@@ -31,8 +31,8 @@ namespace apps
     /** What the next step does: motion, walls and forces. Whoever advances the specimen himself calls it before each step. */
     void lead_next_step();
 
-    /** Values of the gauges, now. */
-    std::vector<double> gauges() const;
+    /** Values of the probes, now. */
+    std::vector<double> probes() const;
     /** Numbers of the columns of the series, now. */
     std::vector<double> row() const;
     /** Groups of section Initial velocity that nothing has touched, as far as damping lets that be told. */

@@ -44,7 +44,7 @@ namespace apps
     forces.check(root, physics.dimension, names);
     walls.check(root, physics.dimension);
     initial_velocity.check(root, physics, names);
-    gauges.check(root, names, motion, walls);
+    probes.check(root, names, motion, walls);
     return names;
   }
 
@@ -81,8 +81,8 @@ namespace apps
   std::vector<postprocess::SeriesColumn> ParticlesModel::columns() const
   {
     std::vector<postprocess::SeriesColumn> all = {{"time", "s"}};
-    for (const GaugeSection &gauge : gauges.gauges)
-      all.push_back({gauge.name, gauge.unit()});
+    for (const ProbeSection &probe : probes.probes)
+      all.push_back({probe.name, probe.unit()});
     for (const postprocess::SeriesColumn &column : laboratory.columns())
       all.push_back(column);
     for (const char *count : {"links", "broken_links", "contacts"})
@@ -94,8 +94,8 @@ namespace apps
   std::vector<std::string> ParticlesModel::names_before_test() const
   {
     std::vector<std::string> names;
-    for (const GaugeSection &gauge : gauges.gauges)
-      names.push_back(gauge.name);
+    for (const ProbeSection &probe : probes.probes)
+      names.push_back(probe.name);
     return names;
   }
 
@@ -116,7 +116,7 @@ namespace apps
   {
     return chosen_column(column_names(), "Curve vertical", vertical,
                          laboratory.given()    ? "stress" :
-                         gauges.gauges.empty() ? "energy_kinetic" :
-                                                 gauges.gauges.front().name);
+                         probes.probes.empty() ? "energy_kinetic" :
+                                                 probes.probes.front().name);
   }
 } // namespace apps

@@ -5,7 +5,7 @@
 #include "apps/models/time.h"
 #include "apps/runs/particles/clumps.h"
 #include "apps/runs/particles/forces.h"
-#include "apps/runs/particles/gauges.h"
+#include "apps/runs/particles/probes.h"
 #include "apps/runs/particles/initial_velocity.h"
 #include "apps/runs/particles/laboratory_section.h"
 #include "apps/runs/particles/more_particles.h"
@@ -33,7 +33,7 @@ namespace apps
     ForcesSection           forces;
     WallsSection            walls;
     InitialVelocitySection  initial_velocity;
-    GaugesSection           gauges;
+    ProbesSection           probes;
     SpecimenTestSection     laboratory;
     StopsSection            stops;
     OutputSection           output;
@@ -59,7 +59,7 @@ namespace apps
     /** Of series.csv; the first is the time. */
     std::vector<postprocess::SeriesColumn> columns() const;
     std::vector<std::string>               column_names() const;
-    std::vector<std::string>               names_before_test() const; ///< of gauges
+    std::vector<std::string>               names_before_test() const; ///< of probes
     /** Of curve.png: a test of the laboratory draws its own, better one, unless the scene asks for columns. */
     bool draws_curve() const { return !laboratory.given() || !horizontal.empty() || !vertical.empty(); }
     /** What is over what. @throws base::InputError. */

@@ -39,8 +39,8 @@ namespace apps
   nlohmann::json ParticlesReport::figures() const
   {
     nlohmann::json found = nlohmann::json::object();
-    for (const GaugeSection &gauge : model.gauges.gauges)
-      found[gauge.name] = figure_of(series, gauge.name, gauge.unit());
+    for (const ProbeSection &probe : model.probes.probes)
+      found[probe.name] = figure_of(series, probe.name, probe.unit());
     found["broken_links"] = specimen().counts().broken;
     if (body.test())
       found["laboratory"] = LaboratoryReport{model.laboratory, *body.test(), slower}.json();
@@ -62,12 +62,12 @@ namespace apps
   std::string ParticlesReport::text() const
   {
     std::string text;
-    for (const GaugeSection &gauge : model.gauges.gauges)
+    for (const ProbeSection &probe : model.probes.probes)
       {
-        const std::vector<double> &values = series.column(gauge.name);
+        const std::vector<double> &values = series.column(probe.name);
         const auto [least, largest]       = std::minmax_element(values.begin(), values.end());
-        text += fmt::format("{:<24} {:.6g} {} at the end, from {:.6g} to {:.6g} in all\n", gauge.name, values.back(),
-                            gauge.unit(), *least, *largest);
+        text += fmt::format("{:<24} {:.6g} {} at the end, from {:.6g} to {:.6g} in all\n", probe.name, values.back(),
+                            probe.unit(), *least, *largest);
       }
     if (body.test())
       text += LaboratoryReport{model.laboratory, *body.test(), slower}.text();

@@ -25,7 +25,7 @@ namespace apps
     const dem::LabTest          *slower = nullptr; ///< the test's loading at half the speed; nullptr: there was none
 
     nlohmann::json summary() const;
-    /** Last value of every gauge, what ended the run, energy balance and cost. */
+    /** Last value of every probe, what ended the run, energy balance and cost. */
     std::string text() const;
 
   private:

@@ -2,7 +2,7 @@
 
 #include "apps/process/interrupt.h"
 #include "apps/results/run_work.h"
-#include "apps/runs/continuum/gauges.h"
+#include "apps/runs/continuum/probes.h"
 #include "apps/runs/continuum/motion.h"
 #include "apps/runs/continuum/picture.h"
 #include "apps/runs/continuum/snapshot.h"
@@ -100,7 +100,7 @@ namespace apps
                  inner->loads.act,
                  {what.core.analysis.kinematics, what.core.analysis.step_factor, what.core.analysis.repulsion},
                  velocity_at_start(what, inner->bonds.grid()))
-        , gauges(*solid, what.continuum)
+        , probes(*solid, what.continuum)
       {
         refuse_elements_beside();
         handshake.emplace(middle, *solid, *motion, around, what.parameters());
@@ -131,8 +131,8 @@ namespace apps
       std::vector<postprocess::SeriesColumn> told() const override
       {
         std::vector<postprocess::SeriesColumn> all;
-        for (const GaugeColumn &gauge : gauges.columns())
-          all.push_back(of_solid(gauge));
+        for (const ProbeColumn &probe : probes.columns())
+          all.push_back(of_solid(probe));
         for (int d = 0; d < dim; ++d)
           all.push_back({std::string("core_held_") + "xyz"[d], "N"});
         all.push_back({"broken_bonds", ""});
@@ -162,7 +162,7 @@ namespace apps
         const auto add = [&](const auto &list) { values.insert(values.end(), std::begin(list), std::end(list)); };
         const fem::ExplicitEnergy s = motion->energy();
         continuum.internal          = s.internal;
-        add(gauges.read({&motion->displacement(), &motion->internal_force(), &motion->external_force()}, continuum));
+        add(probes.read({&motion->displacement(), &motion->internal_force(), &motion->external_force()}, continuum));
         const Vector3d held = middle.force_on_held();
         for (int d = 0; d < dim; ++d)
           values.push_back(held[d]);
@@ -196,7 +196,7 @@ namespace apps
 
       const PeridynamicBody &core() const override { return *inner; }
       PeridynamicState       state() const override { return {*inner, middle.motion().displacement()}; }
-      std::string            first_reaction() const override { return gauges.first_reaction(); }
+      std::string            first_reaction() const override { return probes.first_reaction(); }
 
       std::vector<std::string> doubts() const override
       {
@@ -251,7 +251,7 @@ namespace apps
         middle.visit_state(state);
         state.group("solid");
         visit_motion(state, *motion, *solid);
-        gauges.visit_state(state);
+        probes.visit_state(state);
         state.group("handshake");
         handshake->visit_state(state);
         state.scalar("steps", taken);
@@ -323,7 +323,7 @@ namespace apps
       std::unique_ptr<fem::ExplicitSolver<dim>>          motion;
       coupling::SolidParticipant<dim>                    around;
       coupling::PeridynamicParticipant                   middle;
-      ContinuumGauges<dim>                               gauges;
+      ContinuumProbes<dim>                               probes;
       std::optional<coupling::PeridynamicHandshake<dim>> handshake;
       std::int64_t                                       taken = 0;
     };

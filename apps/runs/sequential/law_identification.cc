@@ -5,7 +5,7 @@
 #include "apps/results/warning.h"
 #include "apps/runs/sequential/model.h"
 #include "apps/runs/sequential/particles.h"
-#include "coupling/sequential/damage_observation.h"
+#include "coupling/sequential/strained_specimen.h"
 #include "postprocess/files/atomic_file.h"
 #include "postprocess/files/summary.h"
 #include "postprocess/pictures/plot.h"
@@ -21,8 +21,7 @@ namespace apps
 {
   namespace
   {
-    constexpr std::int64_t samples_to_furthest = 1000;
-    constexpr double       poor_fit            = 0.1; ///< of damage, root mean square
+    constexpr double poor_fit = 0.1; ///< of damage, root mean square
 
     const fem::MaterialConstants &material_of(const SequentialModel &model)
     {
@@ -52,14 +51,11 @@ namespace apps
     }
 
     /** Wanted and mapped damage over the particles' relative stress, with the published and with the identified law. */
-    std::string draw_identification(const std::filesystem::path                      &file,
-                                    const std::vector<coupling::ParticleObservation> &observations,
-                                    const coupling::ContinuumReference               &reference,
-                                    const coupling::MappingLaw                       &identified)
+    std::string draw_identification(const std::filesystem::path &file, const coupling::SpecimenIdentification &of_test)
     {
       using Style                                                          = postprocess::PlotSeries::Style;
       const std::vector<std::pair<std::string, coupling::MappingLaw>> laws = {{"published law", {}},
-                                                                              {"identified law", identified}};
+                                                                              {"identified law", of_test.found.law}};
       postprocess::PlotPanel                                          panel;
       postprocess::PlotSeries                                         wanted;
       wanted.name   = "continuum at the same stress";
@@ -67,11 +63,11 @@ namespace apps
       panel.title   = "Damage after the peak";
       panel.x_label = "Stress of the particles over their peak";
       panel.y_label = "Damage of the continuum";
-      for (const auto &o : observations)
+      for (const auto &o : of_test.observations)
         if (o.after_peak)
           {
             wanted.x.push_back(o.relative_stress);
-            wanted.y.push_back(reference.damage_at(o.relative_stress));
+            wanted.y.push_back(of_test.reference.damage_at(o.relative_stress));
           }
       panel.series.push_back(wanted);
       for (const auto &[name, law] : laws)
@@ -79,7 +75,7 @@ namespace apps
           postprocess::PlotSeries mapped;
           mapped.name  = name;
           mapped.style = Style::points;
-          for (const auto &o : observations)
+          for (const auto &o : of_test.observations)
             if (o.after_peak)
               {
                 mapped.x.push_back(o.relative_stress);
@@ -140,42 +136,31 @@ namespace apps
     return text;
   }
 
-  struct LawIdentification::Sample
-  {
-    double          strain, stress;
-    Eigen::Matrix3d damage;
-  };
-
-  /** The particles' own specimen between grips, with the damage that points of a transfer would see after every sample. */
+  /** The particles' own specimen between grips, as a case that can be interrupted and resumed. */
   class LawIdentification::Test : public ParticleCase
   {
   public:
     Test(const SequentialModel &model_, const dem::Packing &packing, const double smoothed_size)
       : model(model_)
-      , size(smoothed_size)
-      , specimen(packing, specimen_parameters(model_.particles), model_.particles.material.materials())
-      , test(specimen, parameters(model_))
+      , strained(packing,
+                 without_impactor(model_.particles.specimen_parameters()),
+                 model_.particles.material.materials(),
+                 parameters(model_),
+                 {model_.transfer.field, model_.transfer.options.averaging, smoothed_size})
     {
     }
 
-    const dem::Specimen *body() const override { return &specimen; }
-    StaticStart          settle() override { return start_statically(specimen, model.particles.gravity); }
-    bool                 finished() const override { return test.finished(); }
-    double               done() const override
-    {
-      return std::min(1.0, static_cast<double>(specimen.steps()) / static_cast<double>(test.most_steps()));
-    }
+    const dem::Specimen *body() const override { return &strained.body(); }
+    StaticStart          settle() override { return start_statically(strained.body(), model.particles.gravity); }
+    bool                 finished() const override { return strained.finished(); }
+    double               done() const override { return strained.done(); }
+    void                 visit_state(base::StateVisitor &visitor) override { strained.visit_state(visitor); }
 
     void advance() override
     {
-      if (specimen.steps() == 0)
+      if (strained.body().steps() == 0)
         settle();
-      const dem::UniaxialSample sample =
-        test.advance(std::max<std::int64_t>(1, test.most_steps() / samples_to_furthest));
-      const auto field = coupling::particle_field(dem::discrete_state(specimen), model.transfer.field);
-      samples.push_back(
-        {sample.strain, sample.stress,
-         coupling::observed_damage(field, model.transfer.options.averaging, model.particles.axis, size)});
+      strained.advance();
     }
 
     ParticleOutcome outcome() const override
@@ -185,46 +170,28 @@ namespace apps
       return result;
     }
 
-    void visit_state(base::StateVisitor &visitor) override
-    {
-      specimen.visit_state(visitor);
-      test.visit_state(visitor);
-      base::Column flat;
-      for (const Sample &s : samples)
-        {
-          flat.insert(flat.end(), {s.strain, s.stress});
-          flat.insert(flat.end(), s.damage.data(), s.damage.data() + 9);
-        }
-      visitor.column("samples", flat);
-      samples.resize(flat.size() / 11);
-      for (std::size_t i = 0; i < samples.size(); ++i)
-        samples[i] = {flat[11 * i], flat[11 * i + 1], Eigen::Map<const Eigen::Matrix3d>(&flat[11 * i + 2])};
-    }
-
     static dem::UniaxialParameters parameters(const SequentialModel &model)
     {
-      const IdentificationSection &asked = model.identification;
-      dem::UniaxialParameters      p     = uniaxial_parameters(
-                 model.particles, asked.compresses(model.particles) ? -asked.furthest_strain : asked.furthest_strain);
-      p.stop_fraction = asked.stop_fraction;
-      p.stop_strain   = asked.furthest_strain;
+      const IdentificationSection &requested = model.identification;
+      dem::UniaxialParameters      p =
+        uniaxial_parameters(model.particles, requested.compresses(model.particles) ? -requested.furthest_strain :
+                                                                                     requested.furthest_strain);
+      p.stop_fraction = requested.stop_fraction;
+      p.stop_strain   = requested.furthest_strain;
       return p;
     }
 
-    std::vector<Sample> samples;
+    const std::vector<coupling::StrainedSpecimen::Sample> &samples() const { return strained.samples(); }
 
   private:
-    static dem::SpecimenParameters specimen_parameters(const ParticleEventSection &event)
+    static dem::SpecimenParameters without_impactor(dem::SpecimenParameters p)
     {
-      dem::SpecimenParameters p = event.specimen_parameters();
-      p.loose                   = 0; // no impactor
+      p.loose = 0;
       return p;
     }
 
-    const SequentialModel &model;
-    double                 size;
-    dem::Specimen          specimen;
-    dem::UniaxialTest      test;
+    const SequentialModel     &model;
+    coupling::StrainedSpecimen strained;
   };
 
   LawIdentification::LawIdentification(const SequentialModel &what, const LawOrigin &origin, const double size)
@@ -262,27 +229,19 @@ namespace apps
     Test test(model, packing, smoothed_size());
     if (!run_particles(test, "identification", states, deciding_text))
       return false;
-    fit(test.samples, folder);
+    fit(test, folder);
     postprocess::write_text(folder / "mapping_law.prm", law.prm());
     postprocess::write_json(file, law.json()); // last: what it says is then complete
     return true;
   }
 
-  void LawIdentification::fit(const std::vector<Sample> &samples, const std::filesystem::path &folder)
+  void LawIdentification::fit(const Test &test, const std::filesystem::path &folder)
   {
-    const auto weaker = [](const Sample &a, const Sample &b) { return std::abs(a.stress) < std::abs(b.stress); };
-    const auto peak   = std::max_element(samples.begin(), samples.end(), weaker);
-    law.particle_peak = std::abs(peak->stress);
-    std::vector<coupling::ParticleObservation> observations;
-    for (auto s = samples.begin(); s != samples.end(); ++s)
-      observations.push_back({s->damage, std::abs(s->stress) / law.particle_peak, s > peak});
-
-    const bool                         compression = law.origin.test == "compression";
-    const coupling::ContinuumReference reference(material_of(model), element_size, compression,
-                                                 compression ? 1e-5 : 1e-6, 0.05);
-    law.continuum_peak = reference.peak();
-    law.found          = coupling::identify(observations, reference, {});
-    warn_of_missing("identified.png",
-                    draw_identification(folder / "identified.png", observations, reference, law.found.law));
+    const coupling::SpecimenIdentification of_test =
+      coupling::identify(test.samples(), material_of(model), element_size, law.origin.test == "compression");
+    law.found          = of_test.found;
+    law.particle_peak  = of_test.particle_peak;
+    law.continuum_peak = of_test.reference.peak();
+    warn_of_missing("identified.png", draw_identification(folder / "identified.png", of_test));
   }
 } // namespace apps

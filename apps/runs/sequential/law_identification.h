@@ -65,12 +65,11 @@ namespace apps
     const IdentifiedLaw &result() const { return law; }
 
   private:
-    struct Sample;
     class Test;
 
     double smoothed_size() const; ///< over which points of a transfer average [m]
 
-    void fit(const std::vector<Sample> &samples, const std::filesystem::path &folder);
+    void fit(const Test &test, const std::filesystem::path &folder);
 
     const SequentialModel &model;
     double                 element_size;

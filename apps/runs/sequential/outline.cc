@@ -1,7 +1,7 @@
 #include "apps/runs/sequential/outline.h"
 
 #include "apps/process/mpi_session.h"
-#include "apps/runs/continuum/gauges.h"
+#include "apps/runs/continuum/probes.h"
 #include "apps/runs/continuum/run.h"
 #include "apps/text/nearest_name.h"
 #include "fem/mesh/extent.h"

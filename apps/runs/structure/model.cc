@@ -33,7 +33,7 @@ namespace apps
     GroupNames names;
     groups.check(root, dimension, names);
     supports.check(root, dimension, names);
-    gauges.check(root, dimension, names);
+    probes.check(root, dimension, names);
     path.check(root);
     if (!has_solid())
       return;

@@ -6,7 +6,7 @@
 #include "apps/runs/continuum/model.h"
 #include "apps/runs/coupled/handshakes.h"
 #include "apps/runs/coupled/particle_medium.h"
-#include "apps/runs/structure/gauges.h"
+#include "apps/runs/structure/probes.h"
 #include "apps/runs/structure/supports.h"
 #include "base/entry_path.h"
 #include "dem/model/particles.h"
@@ -44,7 +44,7 @@ namespace apps
     std::list<VoidSection>    voids;
     GroupsSection             groups;
     ParticleSupportsSection   supports;
-    DisplacementGaugesSection gauges;
+    DisplacementProbesSection probes;
     ContinuumModel            continuum; ///< where there are handshakes
     HandshakesSection         handshakes;
     PathSection               path;

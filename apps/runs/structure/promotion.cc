@@ -1,132 +1,55 @@
 #include "apps/runs/structure/promotion.h"
 
 #include "apps/results/run_work.h"
+#include "apps/runs/coupled/element_region.h"
 #include "apps/specimens/specimen_packing.h"
+#include "coupling/promotion/carried_motion.h"
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <iterator>
-#include <map>
 #include <utility>
 
 namespace apps
 {
-  using Eigen::Index;
-  using Eigen::Vector3d;
-
-  namespace
-  {
-    dem::LoadedMotion own(const dem::LoadedNetwork &network) { return dem::LoadedMotion(network.held.size()); }
-
-    /** What of a motion a carrier can do itself. */
-    base::Vector6 free_part(base::Vector6 motion, const dem::HeldMotions held)
-    {
-      for (int c = 0; c < dem::motions; ++c)
-        if ((held & dem::HeldMotions(1u << c)) != 0)
-          motion[c] = 0;
-      return motion;
-    }
-
-    base::Vector6 motion_of(const PlaceMotion &place)
-    {
-      base::Vector6 motion;
-      motion << place.displacement, place.rotation;
-      return motion;
-    }
-  } // namespace
-
   Promotion::Promotion(const StructureModel &what, const dem::Packing &all, const ParticleMedia &of_particles)
     : model(what)
     , packing(all)
     , media(of_particles)
   {
     if (model.handshakes.promote())
-      find_elements();
+      regions.emplace(growing_regions());
     now = made();
-    if (!mesh)
+    if (!regions)
       return;
-    leave_out_burdened();
-    refuse_empty();
+    // Beside these the overlap would come to a node that something else holds.
+    regions->leave_out_around(now->surrounding()->burdened_nodes());
+    regions->require_particles(now->surrounding()->motions_at(packing.centre, now->way().motion()));
     whole.emplace(dem::unloaded(model.network(packing)));
     bonds = std::make_unique<dem::DamagingLinks>(*whole, model.material.materials());
   }
 
-  void Promotion::leave_out_burdened()
+  coupling::GrowingRegions Promotion::growing_regions() const
   {
-    // Not those either beside which the overlap would come to a node that something else holds.
-    const std::vector<Vector3d> burdened = now->surrounding()->burdened_nodes();
-    auto                        of_one   = may.begin();
+    std::vector<coupling::GrowingRegion> starts;
     for (const HandshakeSection &handshake : model.handshakes.handshakes)
-      {
-        for (const unsigned int element : mesh->around(burdened, handshake.width))
-          of_one->erase(element);
-        ++of_one;
-      }
-  }
-
-  void Promotion::refuse_empty()
-  {
-    coupling::MeshElements::Set filled;
-    for (const auto &place : now->surrounding()->motions_at(packing.centre, now->way().motion()))
-      if (place)
-        filled.insert(mesh->with_centre(place->element));
-    auto of_one = may.begin();
-    for (const HandshakeSection &handshake : model.handshakes.handshakes)
-      {
-        for (const unsigned int element : *of_one)
-          if (filled.count(element) == 0)
-            {
-              const Vector3d centre = mesh->centre_of(element);
-              throw base::InputError(fmt::format(
-                "Handshakes/{}: Promotion reach = {:g}: no particle of the specimen lies in the element around "
-                "({:g}, {:g}, {:g}), which could not become particles. The specimen has to fill what the reach "
-                "has, with elements of two particles and more.",
-                handshake.name, handshake.reach, centre.x(), centre.y(), centre.z()));
-            }
-        ++of_one;
-      }
-  }
-
-  void Promotion::find_elements()
-  {
-    mesh = elements_of(model.continuum.mesh, model.dimension);
-    for (const HandshakeSection &handshake : model.handshakes.handshakes)
-      {
-        const auto lie_within = [this, overlap = handshake.overlap()](const double reach) {
-          return mesh->within([&](const Vector3d &place) {
-            constexpr double rounding = 1e-9;
-            return overlap.distance(place) <= reach + rounding * (1 + place.cwiseAbs().maxCoeff());
-          });
-        };
-        first.push_back(mesh->filled(lie_within(0)));
-        may.emplace_back();
-        if (handshake.promotes())
-          {
-            const auto reached = lie_within(handshake.reach);
-            std::set_difference(reached.begin(), reached.end(), first.back().begin(), first.back().end(),
-                                std::inserter(may.back(), may.back().end()));
-          }
-      }
-    region = first;
+      starts.push_back(
+        {handshake.name, handshake.overlap().distance, handshake.width, handshake.promote_at, handshake.reach});
+    return {elements_of(model.continuum.mesh, model.dimension), std::move(starts)};
   }
 
   std::vector<std::size_t> Promotion::promotable() const
   {
-    std::vector<std::size_t> counted;
-    for (const coupling::MeshElements::Set &of_one : may)
-      counted.push_back(of_one.size());
-    return counted;
+    return regions ? regions->growable() : std::vector<std::size_t>();
   }
 
   HandshakesSection Promotion::handshakes() const
   {
-    if (!mesh)
+    if (!regions)
       return model.handshakes;
     HandshakesSection made;
     std::size_t       h = 0;
     for (const HandshakeSection &handshake : model.handshakes.handshakes)
-      made.handshakes.push_back(handshake.around(mesh->distance_from(region[h++], handshake.name)));
+      made.handshakes.push_back(handshake.around(regions->distance_from(h++)));
     return made;
   }
 
@@ -134,7 +57,7 @@ namespace apps
   {
     StructureParts some;
     some.handshakes = handshakes();
-    if (!mesh)
+    if (!regions)
       {
         some.packing = packing;
         some.groups  = model.groups_in(packing);
@@ -156,8 +79,7 @@ namespace apps
     for (const auto &[name, members] : groups)
       for (const std::size_t i : members)
         some.groups[name].push_back(number[i]);
-    for (std::size_t h = 0; h < region.size(); ++h)
-      some.promoted.push_back(region[h].size() - first[h].size());
+    some.promoted = regions->grown();
     return some;
   }
 
@@ -167,52 +89,18 @@ namespace apps
   {
     const dem::LoadedMotion &of_awake = now->way().motion();
     in_solid                          = now->surrounding()->motions_at(packing.centre, of_awake);
-    dem::LoadedMotion motion          = own(*whole);
-    for (std::size_t i = 0; i < packing.size(); ++i)
-      if (in_solid[i])
-        motion.particles.col(static_cast<Index>(i)) = motion_of(*in_solid[i]);
-    const std::vector<Vector3d> displacement = dem::displacements_of(now->network(), of_awake);
-    for (std::size_t k = 0; k < awake.size(); ++k)
-      {
-        auto column = motion.particles.col(static_cast<Index>(awake[k]));
-        column << displacement[k], of_awake.particles.col(static_cast<Index>(k)).tail<3>();
-      }
-    return motion;
-  }
-
-  bool Promotion::add_elements(const dem::LoadedMotion &motion)
-  {
-    bonds->evaluate(motion);
-    const std::vector<coupling::MeshElements::Set> before = region;
-    for (std::size_t l = 0; l < bonds->size(); ++l)
-      for (const std::int32_t end : {whole->network.links[l].first, whole->network.links[l].second})
-        {
-          if (!in_solid[static_cast<std::size_t>(end)])
-            continue;
-          const double exertion = bonds->exertion(l);
-          std::size_t  h        = 0;
-          for (const HandshakeSection &handshake : model.handshakes.handshakes)
-            {
-              if (handshake.promotes() && exertion >= handshake.promote_at)
-                if (const unsigned int element = mesh->with_centre(in_solid[static_cast<std::size_t>(end)]->element);
-                    may[h].count(element) != 0)
-                  region[h].insert(element);
-              ++h;
-            }
-        }
-    for (std::size_t h = 0; h < region.size(); ++h)
-      region[h] = mesh->filled(region[h]);
-    return region != before;
+    return coupling::motion_of_all(*whole, {now->network(), awake}, of_awake, in_solid);
   }
 
   bool Promotion::promote()
   {
-    if (!mesh)
+    if (!regions)
       return false;
     const dem::LoadedMotion motion        = motion_of_all();
-    const auto              region_before = region;
+    const auto              region_before = regions->now();
     const Numbers           awake_before  = awake;
-    if (!add_elements(motion))
+    bonds->evaluate(motion);
+    if (!regions->grow(*bonds, whole->network.links, in_solid))
       return false;
     std::unique_ptr<Structure> before = std::move(now);
     try
@@ -221,9 +109,9 @@ namespace apps
       }
     catch (const base::InputError &error)
       {
-        now    = std::move(before);
-        region = region_before;
-        awake  = awake_before;
+        now   = std::move(before);
+        awake = awake_before;
+        regions->set_now(region_before);
         throw StoppedShort(
           fmt::format("Promotion of elements to particles at the load factor {:.6g}: {} Make Promotion "
                       "reach smaller.",
@@ -233,67 +121,31 @@ namespace apps
     return true;
   }
 
-  std::vector<std::optional<std::size_t>> Promotion::links_before(const Structure &before,
-                                                                  const Numbers   &awake_before) const
-  {
-    std::map<std::pair<std::size_t, std::size_t>, std::size_t> number;
-    const auto                                                &old = before.network().network.links;
-    const auto key = [](const dem::ElasticLink &link, const Numbers &of_packing) {
-      return std::pair{of_packing[static_cast<std::size_t>(link.first)],
-                       of_packing[static_cast<std::size_t>(link.second)]};
-    };
-    for (std::size_t l = 0; l < old.size(); ++l)
-      number.emplace(key(old[l], awake_before), l);
-    std::vector<std::optional<std::size_t>> found;
-    for (const dem::ElasticLink &link : now->network().network.links)
-      {
-        const auto at = number.find(key(link, awake));
-        found.push_back(at == number.end() ? std::nullopt : std::optional(at->second));
-      }
-    return found;
-  }
-
   void Promotion::go_on_from(const Structure &before, const Numbers &awake_before, const dem::LoadedMotion &motion)
   {
-    const dem::LoadedNetwork &network = now->network();
-    const dem::LoadedMotion  &old     = before.way().motion();
-    dem::LoadedMotion         start   = own(network);
-    start.loads                       = old.loads;
-    const auto still_in_solid         = now->surrounding()->motions_at(packing.centre, start);
-    for (std::size_t k = 0; k < awake.size(); ++k)
-      {
-        // Particles in elements move as these do, so that the ties are obeyed from the start.
-        const std::size_t i     = awake[k];
-        const auto        was   = std::lower_bound(awake_before.begin(), awake_before.end(), i);
-        const bool        known = was != awake_before.end() && *was == i;
-        start.particles.col(static_cast<Index>(k)) =
-          still_in_solid[i] ? free_part(motion_of(*in_solid[i]), network.held[k]) :
-          known             ? base::Vector6(old.particles.col(was - awake_before.begin())) :
-                              free_part(motion.particles.col(static_cast<Index>(i)), network.held[k]);
-      }
-    const auto joints = before.surrounding()->motions_at(now->surrounding()->joint_places(), old);
-    for (std::size_t j = 0; j < joints.size(); ++j)
-      {
-        const std::size_t carrier = awake.size() + j;
-        base::Vector6     moved   = motion_of(*joints[j]);
-        moved.tail<3>().setZero();
-        start.particles.col(static_cast<Index>(carrier)) = free_part(moved, network.held[carrier]);
-      }
-    now->way().go_on_from(before.way(), start, links_before(before, awake_before));
+    const coupling::AwakeParticles was{before.network(), awake_before}, is{now->network(), awake};
+    const dem::LoadedMotion       &old            = before.way().motion();
+    const dem::LoadedMotion        unmoved        = dem::LoadedMotion(is.network.held.size());
+    const coupling::PlaceMotions   still_in_solid = now->surrounding()->motions_at(packing.centre, unmoved);
+    const coupling::PlaceMotions   joints = before.surrounding()->motions_at(now->surrounding()->joint_places(), old);
+    now->way().go_on_from(before.way(), coupling::start_from({was, old, motion, in_solid, joints}, is, still_in_solid),
+                          coupling::links_before(was, is));
   }
 
   void Promotion::visit_state(RunState &state)
   {
-    if (!mesh)
+    if (!regions)
       return;
     state.group("promotion");
+    std::vector<coupling::GrowingRegions::Set> region = regions->now();
     for (std::size_t h = 0; h < region.size(); ++h)
       {
         std::vector<std::int32_t> elements(region[h].begin(), region[h].end());
         state.column(fmt::format("elements_{}", h), elements);
-        region[h] = coupling::MeshElements::Set(elements.begin(), elements.end());
+        region[h] = coupling::GrowingRegions::Set(elements.begin(), elements.end());
       }
-    if (state.reads() && region != first)
+    regions->set_now(std::move(region));
+    if (state.reads() && regions->has_grown())
       now = made();
   }
 } // namespace apps

@@ -1,6 +1,6 @@
 #include "apps/runs/structure/solid.h"
 
-#include "apps/runs/continuum/gauges.h"
+#include "apps/runs/continuum/probes.h"
 #include "apps/runs/continuum/picture.h"
 #include "apps/runs/continuum/snapshot.h"
 #include "apps/runs/coupled/taken_places.h"
@@ -26,10 +26,10 @@ namespace apps
       SurroundingSolid(const StructureModel &model, const HandshakesSection &handshakes, dem::LoadedNetwork particles)
         : solid(made(model, handshakes))
         , both(std::move(particles), *solid, parameters(model, handshakes))
-        , gauges(*solid, model.continuum)
+        , probes(*solid, model.continuum)
       {
         // What is linear neither loses energy nor is damaged.
-        const std::vector<GaugeColumn> all = gauges.columns();
+        const std::vector<ProbeColumn> all = probes.columns();
         for (std::size_t k = 0; k < all.size(); ++k)
           if (const std::string &name = all[k].column.name;
               name != "energy_dissipated" && name.rfind("largest_", 0) != 0)
@@ -38,23 +38,23 @@ namespace apps
 
       const dem::LoadedNetwork &network() const override { return both.network(); }
 
-      std::vector<GaugeColumn> columns() const override { return told_of(gauges.columns()); }
+      std::vector<ProbeColumn> columns() const override { return told_of(probes.columns()); }
 
       std::vector<double> read(const dem::LoadedMotion &motion) const override
       {
         const State     now = state(motion);
         ContinuumEnergy energy;
         energy.internal = 0.5 * (now.displacement * now.internal);
-        return told_of(gauges.read({&now.displacement, &now.internal, &now.external}, energy));
+        return told_of(probes.read({&now.displacement, &now.internal, &now.external}, energy));
       }
 
-      std::vector<std::optional<PlaceMotion>> motions_at(const std::vector<Eigen::Vector3d> &places,
-                                                         const dem::LoadedMotion            &motion) const override
+      coupling::PlaceMotions motions_at(const std::vector<Eigen::Vector3d> &places,
+                                        const dem::LoadedMotion            &motion) const override
       {
         find(places);
         fem::Vector displacement = both.displacement(motion);
         displacement.update_ghost_values();
-        std::vector<std::optional<PlaceMotion>> motions(places.size());
+        coupling::PlaceMotions motions(places.size());
         for (std::size_t i = 0; i < places.size(); ++i)
           if (found[i])
             motions[i] = motion_of(*found[i], displacement);
@@ -138,9 +138,9 @@ namespace apps
           found.push_back(solid->point_search().find(point_of<dim>({place.x(), place.y(), place.z()})));
       }
 
-      static PlaceMotion motion_of(const fem::PlaceInElement<dim> &at, const fem::Vector &displacement)
+      static coupling::PlaceMotion motion_of(const fem::PlaceInElement<dim> &at, const fem::Vector &displacement)
       {
-        PlaceMotion motion;
+        coupling::PlaceMotion motion;
         motion.element = fem::in_space(at.cell->center());
         for (std::size_t k = 0; k < at.nodes.size(); ++k)
           {
@@ -206,7 +206,7 @@ namespace apps
 
       std::unique_ptr<fem::Solid<dim>> solid;
       coupling::StaticHandshake<dim>   both;
-      ContinuumGauges<dim>             gauges;
+      ContinuumProbes<dim>             probes;
       std::vector<std::size_t>         told; ///< of its columns
 
       mutable std::vector<Eigen::Vector3d>                         looked_for;

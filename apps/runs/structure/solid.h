@@ -1,8 +1,9 @@
 #pragma once
 
-#include "apps/runs/continuum/gauge_column.h"
+#include "apps/runs/continuum/probe_column.h"
 #include "apps/runs/coupled/particle_medium.h"
 #include "apps/runs/structure/model.h"
+#include "coupling/promotion/place_motion.h"
 
 #include <Eigen/Core>
 
@@ -14,14 +15,6 @@
 
 namespace apps
 {
-  /** How a place in a solid moves. */
-  struct PlaceMotion
-  {
-    Eigen::Vector3d displacement = Eigen::Vector3d::Zero(); ///< [m]
-    Eigen::Vector3d rotation     = Eigen::Vector3d::Zero(); ///< half the curl of the displacement [-]
-    Eigen::Vector3d element      = Eigen::Vector3d::Zero(); ///< centre of the element that it lies in, undeformed [m]
-  };
-
   /** The solid around the particles of a structure, whatever the dimension. */
   class StructureSolid
   {
@@ -31,13 +24,13 @@ namespace apps
     /** Particles and joints, tied. */
     virtual const dem::LoadedNetwork &network() const = 0;
 
-    virtual std::vector<GaugeColumn> columns() const                             = 0;
+    virtual std::vector<ProbeColumn> columns() const                             = 0;
     virtual std::vector<double>      read(const dem::LoadedMotion &motion) const = 0;
 
     /** Of each place its motion; none where it lies in no element. */
-    virtual std::vector<std::optional<PlaceMotion>> motions_at(const std::vector<Eigen::Vector3d> &places,
-                                                               const dem::LoadedMotion            &motion) const = 0;
-    virtual std::vector<Eigen::Vector3d>            joint_places() const                              = 0;
+    virtual coupling::PlaceMotions       motions_at(const std::vector<Eigen::Vector3d> &places,
+                                                    const dem::LoadedMotion            &motion) const = 0;
+    virtual std::vector<Eigen::Vector3d> joint_places() const                              = 0;
     /** Of nodes whose displacement is prescribed, or on which a load acts [m]. */
     virtual std::vector<Eigen::Vector3d> burdened_nodes() const = 0;
 

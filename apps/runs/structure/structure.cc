@@ -47,16 +47,16 @@ namespace apps
 
   std::vector<postprocess::SeriesColumn> Structure::told() const
   {
-    std::vector<postprocess::SeriesColumn> all = model.gauges.columns();
+    std::vector<postprocess::SeriesColumn> all = model.probes.columns();
     for (const ParticleSupport &support : model.supports.supports)
       for (int c = 0; c < model.dimension; ++c)
         if (support.leads(c))
           all.push_back({"reaction_" + column_name(support.group) + "_" + "xyz"[c], "N"});
     if (!solid)
       return all;
-    for (const GaugeColumn &gauge : solid->columns())
+    for (const ProbeColumn &probe : solid->columns())
       {
-        all.push_back(gauge.column);
+        all.push_back(probe.column);
         if (const std::string energy = "energy_"; all.back().name.rfind(energy, 0) == 0)
           all.back().name.insert(energy.size(), "solid_");
       }
@@ -100,9 +100,9 @@ namespace apps
     if (const auto twice = std::adjacent_find(names.begin(), names.end()); twice != names.end())
       throw base::InputError("column " + *twice +
                              " of series.csv would be there twice. Name a probe or a group otherwise.");
-    const auto gauges = model.gauges.columns();
+    const auto probes = model.probes.columns();
     return {
-      chosen_column(names, "Curve horizontal", model.horizontal, gauges.empty() ? "load_factor" : gauges.front().name),
+      chosen_column(names, "Curve horizontal", model.horizontal, probes.empty() ? "load_factor" : probes.front().name),
       chosen_column(names, "Curve vertical", model.vertical, reaction)};
   }
 
@@ -146,7 +146,7 @@ namespace apps
     std::vector<double>          values = {static_cast<double>(path.points().size() - 1), load_factor(),
                                            p.stress[network().led] * network().volume};
     const auto add = [&](const std::vector<double> &more) { values.insert(values.end(), more.begin(), more.end()); };
-    add(model.gauges.read(dem::displacements_of(network(), path.motion()), groups));
+    add(model.probes.read(dem::displacements_of(network(), path.motion()), groups));
     add(reactions());
     if (solid)
       add(solid->read(path.motion()));

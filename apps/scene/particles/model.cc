@@ -8,7 +8,7 @@
 #include "apps/scene/entries/time.h"
 #include "apps/scene/particles/clumps.h"
 #include "apps/scene/particles/forces.h"
-#include "apps/scene/particles/gauges.h"
+#include "apps/scene/particles/probes.h"
 #include "apps/scene/particles/groups.h"
 #include "apps/scene/particles/initial_velocity.h"
 #include "apps/scene/particles/laboratory_section.h"
@@ -66,7 +66,7 @@ namespace apps
     declare(root, model.forces);
     declare(root, model.walls);
     declare(root, model.initial_velocity);
-    declare(root, model.gauges);
+    declare(root, model.probes);
   }
 
   void declare_course(Section &root, ParticlesModel &model, const char *const weight)

@@ -8,7 +8,7 @@
 #include "apps/scene/entries/specimen.h"
 #include "apps/scene/particles/groups.h"
 #include "apps/scene/section.h"
-#include "apps/scene/structure/gauges.h"
+#include "apps/scene/structure/probes.h"
 #include "apps/scene/structure/supports.h"
 
 namespace apps
@@ -76,7 +76,7 @@ namespace apps
     declare_as_static_part(solid, model.continuum);
     declare(root, model.handshakes, model.continuum, false);
     declare(root, model.path);
-    declare(root, model.gauges);
+    declare(root, model.probes);
     declare_output(root, model);
   }
 } // namespace apps

@@ -1,6 +1,6 @@
-// What the gauges of a solid read, against closed forms, at displacements made by hand.
+// What the probes of a solid read, against closed forms, at displacements made by hand.
 #include "apps/process/mpi_session.h"
-#include "apps/runs/continuum/gauges.h"
+#include "apps/runs/continuum/probes.h"
 #include "apps/runs/continuum/model.h"
 #include "apps/runs/continuum/solid.h"
 #include "apps/scene/kinds/read_scene.h"
@@ -32,13 +32,13 @@ namespace
            more;
   }
 
-  struct Gauged
+  struct Probed
   {
-    explicit Gauged(const std::string &scene_text)
+    explicit Probed(const std::string &scene_text)
       : scene((apps::start_mpi(), apps::read_scene(folder.file("bar.prm", scene_text), {})))
       , model(dynamic_cast<const apps::SceneOf<apps::ContinuumModel> &>(*scene.scene).model())
       , solid(apps::make_solid<2>(model))
-      , gauges(*solid, model)
+      , probes(*solid, model)
     {
     }
 
@@ -62,9 +62,9 @@ namespace
       u.update_ghost_values();
       solid->internal_force(u, internal);
       solid->external_force(time, external);
-      const std::vector<double>     row = gauges.read({&u, &internal, &external}, energy);
+      const std::vector<double>     row = probes.read({&u, &internal, &external}, energy);
       std::map<std::string, double> values;
-      const auto                    columns = gauges.columns();
+      const auto                    columns = probes.columns();
       REQUIRE(row.size() == columns.size());
       for (std::size_t i = 0; i < row.size(); ++i)
         values[columns[i].column.name] = row[i];
@@ -75,14 +75,14 @@ namespace
     const apps::CheckedScene       scene;
     const apps::ContinuumModel    &model;
     std::unique_ptr<fem::Solid<2>> solid;
-    apps::ContinuumGauges<2>       gauges;
+    apps::ContinuumProbes<2>       probes;
     apps::ContinuumEnergy          energy;
   };
 } // namespace
 
 TEST_CASE("Probes of a solid read loads, reactions, displacements and energies as closed forms say", "[apps]")
 {
-  Gauged     bar_gauges(bar());
+  Probed     bar_gauges(bar());
   const auto read = bar_gauges.read(0.5, 7.0);
   CHECK(read.at("load_x") == Approx(1e5 * 0.1));
   CHECK(read.at("reaction_left_x") == Approx(-E * strain * 0.1));
@@ -92,7 +92,7 @@ TEST_CASE("Probes of a solid read loads, reactions, displacements and energies a
   CHECK(read.at("energy_stored") == 7.0); // linear: the work itself
   CHECK(read.at("energy_dissipated") == 0);
   CHECK(read.at("largest_damage") == 0);
-  CHECK(bar_gauges.gauges.first_reaction() == "reaction_left_x");
+  CHECK(bar_gauges.probes.first_reaction() == "reaction_left_x");
   CHECK(read.count("load_y") == 0); // nothing acts along it
   CHECK(read.count("reaction_right_x") == 0);
 }
@@ -119,26 +119,26 @@ TEST_CASE("Gauges count as dissipated what materials say, or else what a solid t
   const std::string text  = bar();
   std::string       large = text;
   large.replace(large.find("set Thickness"), 0, "set Large displacement = true\n  ");
-  Gauged       gauged(large);
+  Probed       probed(large);
   const double green  = strain + 0.5 * strain * strain; // St. Venant-Kirchhoff
   const double stored = 0.5 * E * green * green * 2 * 1 * 0.1;
-  const auto   read   = gauged.read(0.5, 1.25 * stored);
+  const auto   read   = probed.read(0.5, 1.25 * stored);
   CHECK(read.at("energy_stored") == Approx(stored).epsilon(1e-12));
   CHECK(read.at("energy_dissipated") == Approx(0.25 * stored).epsilon(1e-9));
-  CHECK(gauged.energy.stored == read.at("energy_stored"));
-  gauged.energy.external = 1.25 * stored;
-  CHECK(gauged.energy.balance_error() < 1e-12);
+  CHECK(probed.energy.stored == read.at("energy_stored"));
+  probed.energy.external = 1.25 * stored;
+  CHECK(probed.energy.balance_error() < 1e-12);
 
-  gauged.energy.materials_keep_account = true;
-  gauged.energy.dissipated             = 2 * stored;
-  CHECK(gauged.read(0.5, 1.25 * stored).at("energy_dissipated") == 2 * stored);
-  CHECK(gauged.energy.residual() == Approx(-1.75 * stored).epsilon(1e-9));
-  CHECK(gauged.energy.balance_error() == Approx(1.75 / 2).epsilon(1e-9));
+  probed.energy.materials_keep_account = true;
+  probed.energy.dissipated             = 2 * stored;
+  CHECK(probed.read(0.5, 1.25 * stored).at("energy_dissipated") == 2 * stored);
+  CHECK(probed.energy.residual() == Approx(-1.75 * stored).epsilon(1e-9));
+  CHECK(probed.energy.balance_error() == Approx(1.75 / 2).epsilon(1e-9));
 }
 
 TEST_CASE("A point of the probes outside the solid is refused at its place", "[apps]")
 {
   std::string text = bar();
   text.replace(text.find("1.5, 0.5"), 8, "2.5, 0.5");
-  CHECK_THROWS_WITH(Gauged(text), Catch::Contains("bar.prm") && Catch::Contains("Points/three quarters: "));
+  CHECK_THROWS_WITH(Probed(text), Catch::Contains("bar.prm") && Catch::Contains("Points/three quarters: "));
 }

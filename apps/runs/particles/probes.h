@@ -12,7 +12,7 @@
 namespace apps
 {
   /** Sub-section of "Probes": one number that is measured at every sample. */
-  struct GaugeSection
+  struct ProbeSection
   {
     enum class Quantity
     {
@@ -62,9 +62,9 @@ namespace apps
   };
 
   /** Section "Probes". */
-  struct GaugesSection
+  struct ProbesSection
   {
-    std::list<GaugeSection> gauges;
+    std::list<ProbeSection> probes;
 
     /** @throws base::InputError. */
     void check(const base::EntryPath         &root,
@@ -73,8 +73,8 @@ namespace apps
                const WallsSection            &walls) const;
   };
 
-  /** What a specimen looks like at one moment, for all gauges. */
-  struct GaugedBody
+  /** What a specimen looks like at one moment, for all probes. */
+  struct ProbedBody
   {
     const dem::ObservedSpecimen &specimen;
     const dem::ParticleOutput   &particles;
@@ -83,6 +83,6 @@ namespace apps
     const Walls                 &walls;
   };
 
-  /** Value of a gauge. Means over a group are those of its centre of mass; a rigid body counts as one. */
-  double value_of(const GaugeSection &gauge, const GaugedBody &seen);
+  /** Value of a probe. Means over a group are those of its centre of mass; a rigid body counts as one. */
+  double value_of(const ProbeSection &probe, const ProbedBody &seen);
 } // namespace apps

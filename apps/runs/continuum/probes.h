@@ -1,7 +1,7 @@
 #pragma once
 
 #include "apps/runs/continuum/energy.h"
-#include "apps/runs/continuum/gauge_column.h"
+#include "apps/runs/continuum/probe_column.h"
 #include "apps/runs/continuum/model.h"
 #include "base/state.h"
 #include "fem/solid/solid.h"
@@ -19,13 +19,13 @@ namespace apps
    * stored, largest damage and crack opening, and what else its materials want to have watched.
    */
   template <int dim>
-  class ContinuumGauges
+  class ContinuumProbes
   {
   public:
     /** @throws base::InputError for a point outside the solid. */
-    ContinuumGauges(fem::Solid<dim> &solid, const ContinuumModel &model);
+    ContinuumProbes(fem::Solid<dim> &solid, const ContinuumModel &model);
 
-    std::vector<GaugeColumn> columns() const;
+    std::vector<ProbeColumn> columns() const;
 
     /** One value per column, the same on every rank. @param energy of the analysis, which is completed by what is stored */
     std::vector<double> read(const SolidState &state, ContinuumEnergy &energy) const;

@@ -1,4 +1,4 @@
-#include "apps/runs/particles/gauges.h"
+#include "apps/runs/particles/probes.h"
 
 #include "apps/text/nearest_name.h"
 #include "apps/text/same_name.h"
@@ -10,7 +10,7 @@
 
 namespace apps
 {
-  void GaugeSection::check(const base::EntryPath         &section,
+  void ProbeSection::check(const base::EntryPath         &section,
                            const GroupNames              &names,
                            const PrescribedMotionSection &motion,
                            const WallsSection            &walls) const
@@ -26,7 +26,7 @@ namespace apps
       section.refuse("Group", "only a group of section Motion has a reaction.");
   }
 
-  const char *GaugeSection::unit() const
+  const char *ProbeSection::unit() const
   {
     switch (quantity)
       {
@@ -58,33 +58,33 @@ namespace apps
   namespace
   {
     /** The name of a probe is that of a column. */
-    void refuse_name(const base::EntryPath &gauge, const std::string &name)
+    void refuse_name(const base::EntryPath &probe, const std::string &name)
     {
       const auto fits = [](const unsigned char c) { return std::isalnum(c) || c == '_' || c == '-' || c == '.'; };
       if (!std::all_of(name.begin(), name.end(), fits))
-        gauge.refuse("the name of a probe is that of a column: letters, digits and . _ - only.");
+        probe.refuse("the name of a probe is that of a column: letters, digits and . _ - only.");
       if (name == "time" || name == "links" || name == "broken_links" || name == "contacts" ||
           name.rfind("energy_", 0) == 0)
-        gauge.refuse("series.csv has a column of this name already. Choose another.");
+        probe.refuse("series.csv has a column of this name already. Choose another.");
     }
   } // namespace
 
-  void GaugesSection::check(const base::EntryPath         &root,
+  void ProbesSection::check(const base::EntryPath         &root,
                             const GroupNames              &names,
                             const PrescribedMotionSection &motion,
                             const WallsSection            &walls) const
   {
-    for (const GaugeSection &gauge : gauges)
-      refuse_name(root.at("Probes").at(gauge.name), gauge.name);
-    for (const GaugeSection &gauge : gauges)
-      gauge.check(root.at("Probes").at(gauge.name), names, motion, walls);
+    for (const ProbeSection &probe : probes)
+      refuse_name(root.at("Probes").at(probe.name), probe.name);
+    for (const ProbeSection &probe : probes)
+      probe.check(root.at("Probes").at(probe.name), names, motion, walls);
   }
 
   namespace
   {
-    using Quantity = GaugeSection::Quantity;
+    using Quantity = ProbeSection::Quantity;
 
-    dem::GroupMotion motion_of(const std::string &group, const GaugedBody &seen)
+    dem::GroupMotion motion_of(const std::string &group, const ProbedBody &seen)
     {
       return dem::motion_of(seen.specimen, seen.particles, seen.groups.at(group));
     }
@@ -97,50 +97,50 @@ namespace apps
                                                                          std::numeric_limits<double>::quiet_NaN();
     }
 
-    Eigen::Vector3d vector_of(const GaugeSection &gauge, const GaugedBody &seen)
+    Eigen::Vector3d vector_of(const ProbeSection &probe, const ProbedBody &seen)
     {
-      switch (gauge.quantity)
+      switch (probe.quantity)
         {
         case Quantity::displacement:
-          return motion_of(gauge.group, seen).travelled;
+          return motion_of(probe.group, seen).travelled;
         case Quantity::velocity:
-          return motion_of(gauge.group, seen).velocity;
+          return motion_of(probe.group, seen).velocity;
         case Quantity::spin:
-          return motion_of(gauge.group, seen).spin;
+          return motion_of(probe.group, seen).spin;
         case Quantity::distance:
-          return motion_of(gauge.other, seen).position - motion_of(gauge.group, seen).position;
+          return motion_of(probe.other, seen).position - motion_of(probe.group, seen).position;
         case Quantity::reaction:
-          return seen.motion.reaction(gauge.group);
+          return seen.motion.reaction(probe.group);
         case Quantity::reaction_moment:
-          return seen.motion.reaction_moment(gauge.group);
+          return seen.motion.reaction_moment(probe.group);
         case Quantity::reaction_torque:
-          return seen.motion.reaction_torque(gauge.group, gauge.about());
+          return seen.motion.reaction_torque(probe.group, probe.about());
         case Quantity::wall_force:
-          return seen.walls.surface(gauge.wall).total_force;
+          return seen.walls.surface(probe.wall).total_force;
         case Quantity::wall_moment:
-          return seen.walls.surface(gauge.wall).total_moment -
-                 gauge.about().cross(seen.walls.surface(gauge.wall).total_force);
+          return seen.walls.surface(probe.wall).total_moment -
+                 probe.about().cross(seen.walls.surface(probe.wall).total_force);
         case Quantity::wall_travel:
-          return seen.walls.surface(gauge.wall).travel;
+          return seen.walls.surface(probe.wall).travel;
         case Quantity::force:
-          return seen.specimen.force_on(seen.groups.at(gauge.group));
+          return seen.specimen.force_on(seen.groups.at(probe.group));
         case Quantity::wall_impulse:
-          return seen.walls.surface(gauge.wall).momentum;
+          return seen.walls.surface(probe.wall).momentum;
         default:
-          return motion_of(gauge.group, seen).position;
+          return motion_of(probe.group, seen).position;
         }
     }
   } // namespace
 
-  double value_of(const GaugeSection &gauge, const GaugedBody &seen)
+  double value_of(const ProbeSection &probe, const ProbedBody &seen)
   {
-    if (gauge.quantity == Quantity::kinetic_energy)
-      return motion_of(gauge.group, seen).kinetic_energy;
-    if (gauge.quantity == Quantity::unbalanced_ratio)
+    if (probe.quantity == Quantity::kinetic_energy)
+      return motion_of(probe.group, seen).kinetic_energy;
+    if (probe.quantity == Quantity::unbalanced_ratio)
       return unbalanced_ratio(seen.specimen);
-    if (gauge.quantity == Quantity::broken_links)
-      return static_cast<double>(seen.specimen.broken_links_of(seen.groups.at(gauge.group)));
-    const Eigen::Vector3d vector = vector_of(gauge, seen);
-    return gauge.component == GaugeSection::Component::size ? vector.norm() : vector[static_cast<int>(gauge.component)];
+    if (probe.quantity == Quantity::broken_links)
+      return static_cast<double>(seen.specimen.broken_links_of(seen.groups.at(probe.group)));
+    const Eigen::Vector3d vector = vector_of(probe, seen);
+    return probe.component == ProbeSection::Component::size ? vector.norm() : vector[static_cast<int>(probe.component)];
   }
 } // namespace apps

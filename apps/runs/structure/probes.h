@@ -13,16 +13,16 @@
 namespace apps
 {
   /** Sub-section of "Probes": the mean displacement of a group of particles, or that against another group. */
-  struct DisplacementGauge
+  struct DisplacementProbe
   {
     std::string name, group = GroupNames::all, other;
     int         axis = 0;
   };
 
   /** Section "Probes" of a structure. */
-  struct DisplacementGaugesSection
+  struct DisplacementProbesSection
   {
-    std::list<DisplacementGauge> gauges;
+    std::list<DisplacementProbe> probes;
 
     /** @throws base::InputError */
     void check(const base::EntryPath &root, int dimension, const GroupNames &names) const;

@@ -1,17 +1,17 @@
-#include "apps/scene/structure/gauges.h"
+#include "apps/scene/structure/probes.h"
 
 #include "apps/scene/particles/groups.h"
 #include "apps/scene/section.h"
 
 namespace apps
 {
-  void declare(Section &root, DisplacementGaugesSection &displacement_gauges)
+  void declare(Section &root, DisplacementProbesSection &displacement_probes)
   {
     root
       .section("Probes",
                "One sub-section per displacement of particles that is recorded; its name is the column of series.csv")
-      .named_sections("PROBE", [&displacement_gauges](Section &opened) {
-        DisplacementGauge &added = displacement_gauges.gauges.emplace_back();
+      .named_sections("PROBE", [&displacement_probes](Section &opened) {
+        DisplacementProbe &added = displacement_probes.probes.emplace_back();
         added.name               = opened.name();
         opened.text("Group", added.group, Need::optional).means("Of particles whose mean displacement is measured");
         opened.text("Other group", added.other, Need::optional)

@@ -1,4 +1,4 @@
-#include "apps/runs/continuum/gauges.h"
+#include "apps/runs/continuum/probes.h"
 
 #include "apps/runs/continuum/solid.h"
 
@@ -28,7 +28,7 @@ namespace apps
   } // namespace
 
   template <int dim>
-  ContinuumGauges<dim>::ContinuumGauges(fem::Solid<dim> &solid_, const ContinuumModel &model)
+  ContinuumProbes<dim>::ContinuumProbes(fem::Solid<dim> &solid_, const ContinuumModel &model)
     : solid(solid_)
   {
     dealii::Point<dim> low, high;
@@ -69,7 +69,7 @@ namespace apps
   }
 
   template <int dim>
-  void ContinuumGauges<dim>::add_totals()
+  void ContinuumProbes<dim>::add_totals()
   {
     const std::size_t sets = reactions.size();
     for (unsigned int c = 0; c < dim; ++c)
@@ -88,13 +88,13 @@ namespace apps
   }
 
   template <int dim>
-  bool ContinuumGauges<dim>::Watched::is(const fem::PointQuantity &of) const
+  bool ContinuumProbes<dim>::Watched::is(const fem::PointQuantity &of) const
   {
     return role != fem::PointQuantity::Role::other ? of.role == role : quantity == of.name;
   }
 
   template <int dim>
-  void ContinuumGauges<dim>::watch_histories()
+  void ContinuumProbes<dim>::watch_histories()
   {
     using Quantity = fem::PointQuantity;
     for (const auto &group : solid.groups())
@@ -111,10 +111,10 @@ namespace apps
   }
 
   template <int dim>
-  std::vector<GaugeColumn> ContinuumGauges<dim>::columns() const
+  std::vector<ProbeColumn> ContinuumProbes<dim>::columns() const
   {
-    using Told = GaugeColumn::Told;
-    std::vector<GaugeColumn> all;
+    using Told = ProbeColumn::Told;
+    std::vector<ProbeColumn> all;
     for (const auto *resultants : {&loads, &reactions})
       for (const Resultant &r : *resultants)
         all.push_back({{r.name, "N"}, Told::peak});
@@ -130,13 +130,13 @@ namespace apps
   }
 
   template <int dim>
-  std::string ContinuumGauges<dim>::first_reaction() const
+  std::string ContinuumProbes<dim>::first_reaction() const
   {
     return reactions.empty() ? "" : reactions.front().name;
   }
 
   template <int dim>
-  typename ContinuumGauges<dim>::Points ContinuumGauges<dim>::read_points(const fem::Vector &displacement,
+  typename ContinuumProbes<dim>::Points ContinuumProbes<dim>::read_points(const fem::Vector &displacement,
                                                                           const double       work) const
   {
     Points found{work, std::vector<double>(watched.size(), 0.0), std::vector<double>(counted.size(), 0.0)};
@@ -163,7 +163,7 @@ namespace apps
   }
 
   template <int dim>
-  std::vector<double> ContinuumGauges<dim>::read(const SolidState &state, ContinuumEnergy &energy) const
+  std::vector<double> ContinuumProbes<dim>::read(const SolidState &state, ContinuumEnergy &energy) const
   {
     std::vector<double> row;
     for (const Resultant &r : loads)
@@ -199,6 +199,6 @@ namespace apps
     return row;
   }
 
-  template class ContinuumGauges<2>;
-  template class ContinuumGauges<3>;
+  template class ContinuumProbes<2>;
+  template class ContinuumProbes<3>;
 } // namespace apps

@@ -1,4 +1,4 @@
-#include "apps/scene/particles/gauges.h"
+#include "apps/scene/particles/probes.h"
 
 #include "apps/scene/particles/motion.h"
 #include "apps/scene/particles/walls.h"
@@ -8,11 +8,11 @@
 
 namespace apps
 {
-  void declare(Section &s, GaugeSection &gauge)
+  void declare(Section &s, ProbeSection &probe)
   {
-    using Quantity  = GaugeSection::Quantity;
-    using Component = GaugeSection::Component;
-    s.choice("Quantity", gauge.quantity,
+    using Quantity  = ProbeSection::Quantity;
+    using Component = ProbeSection::Component;
+    s.choice("Quantity", probe.quantity,
              {{"position", Quantity::position},
               {"displacement", Quantity::displacement},
               {"velocity", Quantity::velocity},
@@ -40,29 +40,29 @@ namespace apps
         "links, contacts and walls on the group, from all that is not of it; kinetic "
         "energy: of the group; broken links: that have "
         "an end in it; unbalanced ratio: mean force on all free particles over mean force of links and contacts");
-    s.text("Group", gauge.group, Need::optional).means("What is measured");
-    s.text("Wall", gauge.wall, Need::required)
+    s.text("Group", probe.group, Need::optional).means("What is measured");
+    s.text("Wall", probe.wall, Need::required)
       .means("Of section Walls")
-      .only_if([&gauge] { return gauge.of_wall(); }, "Quantity is of a wall");
-    s.vector("Point", gauge.point, "m", Range(), Need::optional)
+      .only_if([&probe] { return probe.of_wall(); }, "Quantity is of a wall");
+    s.vector("Point", probe.point, "m", Range(), Need::optional)
       .means("About which the moment is taken; it stays where it is. In two dimensions z is 0")
       .only_if(
-        [&gauge] { return gauge.quantity == Quantity::reaction_torque || gauge.quantity == Quantity::wall_moment; },
+        [&probe] { return probe.quantity == Quantity::reaction_torque || probe.quantity == Quantity::wall_moment; },
         "Quantity is reaction torque or wall moment");
-    s.text("Other group", gauge.other, Need::required)
+    s.text("Other group", probe.other, Need::required)
       .means("To which the distance is measured")
-      .only_if([&gauge] { return gauge.quantity == Quantity::distance; }, "Quantity = distance");
-    s.choice("Component", gauge.component,
+      .only_if([&probe] { return probe.quantity == Quantity::distance; }, "Quantity = distance");
+    s.choice("Component", probe.component,
              {{"x", Component::x}, {"y", Component::y}, {"z", Component::z}, {"size", Component::size}}, Need::optional)
       .means("Of a vector; size: its length")
-      .only_if([&gauge] { return gauge.is_vector(); }, "Quantity is a vector");
+      .only_if([&probe] { return probe.is_vector(); }, "Quantity is a vector");
   }
 
-  void declare(Section &root, GaugesSection &gauges)
+  void declare(Section &root, ProbesSection &probes)
   {
     root.section("Probes", "One sub-section per number that is measured; its name is that of a column of series.csv")
-      .named_sections("PROBE", [&gauges](Section &opened) {
-        GaugeSection &added = gauges.gauges.emplace_back();
+      .named_sections("PROBE", [&probes](Section &opened) {
+        ProbeSection &added = probes.probes.emplace_back();
         added.name          = opened.name();
         declare(opened, added);
       });

@@ -1,7 +1,7 @@
-// What gauges of particles read, what their groups hold and what makes up a row, without the program.
+// What probes of particles read, what their groups hold and what makes up a row, without the program.
 #include "apps/runs/particles/body.h"
 #include "apps/scene/overrides.h"
-#include "apps/scene/particles/gauges.h"
+#include "apps/scene/particles/probes.h"
 #include "apps/scene/particles/groups.h"
 #include "apps/scene/particles/model.h"
 #include "apps/scene/reader.h"
@@ -39,7 +39,7 @@ namespace
       body->start();
     }
 
-    double gauge(const std::string &name) const
+    double probe(const std::string &name) const
     {
       const std::vector<std::string> names = model.column_names();
       return body->row().at(static_cast<std::size_t>(std::find(names.begin(), names.end(), name) - names.begin()));
@@ -57,9 +57,9 @@ TEST_CASE("A probe of a group reads its centre of mass; distance is from there t
   const TwoBalls balls({"Probes/both/Quantity=position", "Probes/both/Component=x", "Probes/speed/Quantity=velocity",
                         "Probes/speed/Component=size", "Probes/gap/Quantity=distance", "Probes/gap/Group=large",
                         "Probes/gap/Other group=small", "Probes/gap/Component=x"});
-  CHECK(balls.gauge("both") == Approx(0.09 / 9).epsilon(1e-14));
-  CHECK(balls.gauge("speed") == Approx(0.5 * 8 / 9).epsilon(1e-14));
-  CHECK(balls.gauge("gap") == Approx(0.09).epsilon(1e-14));
+  CHECK(balls.probe("both") == Approx(0.09 / 9).epsilon(1e-14));
+  CHECK(balls.probe("speed") == Approx(0.5 * 8 / 9).epsilon(1e-14));
+  CHECK(balls.probe("gap") == Approx(0.09).epsilon(1e-14));
 }
 
 TEST_CASE("The kinetic energy of a group is of its translation and its spin, and of its own particles only",
@@ -68,18 +68,18 @@ TEST_CASE("The kinetic energy of a group is of its translation and its spin, and
   const TwoBalls balls({"Probes/thrown/Quantity=kinetic energy", "Probes/thrown/Group=large",
                         "Probes/still/Quantity=kinetic energy", "Probes/still/Group=small"});
   const double   mass = 2500 * 4.0 / 3 * M_PI * 1e-6;
-  CHECK(balls.gauge("thrown") == Approx(0.5 * mass * (0.25 + 0.4 * 1e-4 * 400)).epsilon(1e-13));
-  CHECK(balls.gauge("still") == 0);
-  CHECK(balls.gauge("energy_kinetic") == Approx(balls.gauge("thrown")).epsilon(1e-13));
+  CHECK(balls.probe("thrown") == Approx(0.5 * mass * (0.25 + 0.4 * 1e-4 * 400)).epsilon(1e-13));
+  CHECK(balls.probe("still") == 0);
+  CHECK(balls.probe("energy_kinetic") == Approx(balls.probe("thrown")).epsilon(1e-13));
 }
 
 TEST_CASE("Where nothing touches, a force is zero and a ratio of forces is no number", "[apps][particles]")
 {
   const TwoBalls balls({"Probes/push/Quantity=force", "Probes/push/Group=small",
                         "Probes/calm/Quantity=unbalanced ratio", "Probes/torn/Quantity=broken links"});
-  CHECK(balls.gauge("push") == 0);
-  CHECK(std::isnan(balls.gauge("calm")));
-  CHECK(balls.gauge("torn") == 0);
+  CHECK(balls.probe("push") == 0);
+  CHECK(std::isnan(balls.probe("calm")));
+  CHECK(balls.probe("torn") == 0);
 }
 
 TEST_CASE("A row has a number for each column, its time first and its energies last", "[apps][particles]")
@@ -92,7 +92,7 @@ TEST_CASE("A row has a number for each column, its time first and its energies l
   CHECK(columns[1].unit == "m/s");
   CHECK(columns.back().name == "energy_residual");
   CHECK(balls.model.curve_horizontal() == "time");
-  CHECK(balls.model.curve_vertical() == "speed"); // the first gauge, unless the scene says otherwise
+  CHECK(balls.model.curve_vertical() == "speed"); // the first probe, unless the scene says otherwise
   CHECK(TwoBalls({}).model.curve_vertical() == "energy_kinetic");
 }
 

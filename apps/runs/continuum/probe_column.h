@@ -7,7 +7,7 @@
 namespace apps
 {
   /** A column of the series, and what a summary tells of it. */
-  struct GaugeColumn
+  struct ProbeColumn
   {
     enum class Told
     {
@@ -30,9 +30,9 @@ namespace apps
   }
 
   /** The column of a solid that is one of two bodies: its energies say whose they are. */
-  inline postprocess::SeriesColumn of_solid(const GaugeColumn &gauge)
+  inline postprocess::SeriesColumn of_solid(const ProbeColumn &probe)
   {
-    postprocess::SeriesColumn column = gauge.column;
+    postprocess::SeriesColumn column = probe.column;
     if (const std::string energy = "energy_"; column.name.rfind(energy, 0) == 0)
       column.name.insert(energy.size(), "solid_");
     return column;
