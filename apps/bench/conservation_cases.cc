@@ -120,11 +120,11 @@ namespace apps
       found.there   = p.kinetic + p.elastic + s.kinetic + std::fabs(s.internal);
       found.missing = p.residual() + s.external + s.start - s.kinetic - s.internal - s.damped;
       for (const auto &surface : sides.both->surfaces())
-        found.made += surface->balance().made();
+        found.made += surface->balance().spurious();
       for (const auto &handshake : sides.both->volumes())
-        found.made += handshake->balance().made();
+        found.made += handshake->balance().spurious();
       for (const auto &contact : sides.both->contacts().all())
-        found.missing -= contact->balance().made(); // what it holds is in no side's account
+        found.missing -= contact->balance().spurious(); // what it holds is in no side's account
       return found;
     }
 
@@ -169,7 +169,7 @@ namespace apps
       strict,
       lumped,
       absorber,
-      slaved,
+      constrained,
       legacy
     };
 
@@ -178,8 +178,8 @@ namespace apps
       coupling::VolumeCouplingParameters p;
       p.name    = which.name;
       p.overlap = {[](const Vector3d &place) { return place.x() - own_length; }, overlap_width};
-      if (which.choice == slaved || which.choice == legacy)
-        p.method = which.choice == slaved ? coupling::VolumeMethod::slaved : coupling::VolumeMethod::legacy;
+      if (which.choice == constrained || which.choice == legacy)
+        p.method = which.choice == constrained ? coupling::VolumeMethod::constrained : coupling::VolumeMethod::legacy;
       p.lumped = which.choice == lumped;
       if (which.choice == strict || which.choice == lumped)
         p.compatibility = coupling::Compatibility::strict;
@@ -383,10 +383,10 @@ namespace apps
       {"strict multipliers", Kind::handshake, strict},
       {"lumped multipliers", Kind::handshake, lumped},
       {"multipliers with absorber", Kind::handshake, absorber},
-      {"slaved", Kind::handshake, slaved},
+      {"constrained", Kind::handshake, constrained},
       {"legacy", Kind::handshake, legacy},
       {"coarse multipliers with 4 steps in one", Kind::handshake, coarse, 4},
-      {"slaved with 4 steps in one", Kind::handshake, slaved, 4},
+      {"constrained with 4 steps in one", Kind::handshake, constrained, 4},
       {"surface at a point", Kind::surface, point},
       {"surface with footprint", Kind::surface, footprint},
       {"surface with pressure", Kind::surface, pressure},

@@ -39,7 +39,7 @@ namespace apps
         (energy.external + energy.start - energy.kinetic - energy.damped - energy.internal - energy.contacts) /
         energy.start;
       for (std::size_t c = 0; c < names.size(); ++c)
-        if (names[c].name == model.contacts.contacts.front().name + "_made")
+        if (names[c].name == model.contacts.contacts.front().name + "_spurious")
           found.made = values[c] / energy.start;
       return found;
     }

@@ -60,7 +60,7 @@ namespace apps
       const auto          &point = path.advance();
       row.particles              = packing.size();
       row.bonds                  = loaded.network.links.size();
-      row.modulus                = point.stress[loaded.led] / point.strain[loaded.led];
+      row.modulus                = point.stress[loaded.driven] / point.strain[loaded.driven];
       row.strength = row.imbalance = unknown_figure;
       row.balance                  = point.balance_error();
       row.cost                     = base::processor_seconds() - start;
@@ -95,13 +95,13 @@ namespace apps
           row.cost                   = base::processor_seconds() - start;
           return row;
         }
-      const auto stress = [&](const dem::QuasiStaticPoint &p) { return -p.stress[loaded.led]; };
+      const auto stress = [&](const dem::QuasiStaticPoint &p) { return -p.stress[loaded.driven]; };
       for (const dem::QuasiStaticPoint &point : path.points())
         row.strength = std::max(row.strength, stress(point));
       const auto &points = path.points();
       const auto  half =
         std::find_if(points.begin(), points.end(), [&](const auto &p) { return stress(p) >= 0.5 * row.strength; });
-      row.modulus = half->stress[loaded.led] / half->strain[loaded.led];
+      row.modulus = half->stress[loaded.driven] / half->strain[loaded.driven];
       row.cost    = base::processor_seconds() - start;
       return row;
     }

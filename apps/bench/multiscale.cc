@@ -4,8 +4,8 @@
 #include "apps/bench/scene_variant.h"
 #include "apps/process/mpi_session.h"
 #include "apps/runs/continuum/analysis.h"
-#include "apps/runs/continuum/probes.h"
 #include "apps/runs/continuum/model.h"
+#include "apps/runs/continuum/probes.h"
 #include "apps/runs/continuum/solid.h"
 #include "apps/specimens/specimen_packing.h"
 #include "base/stopwatch.h"
@@ -186,7 +186,7 @@ namespace apps
                fmt::format("Boundary conditions/right/Displacement x=2e-5*t/{:g}", 1e-3 * milliseconds)}};
     }
 
-    std::vector<SceneVariant> led_variants(const bool quick)
+    std::vector<SceneVariant> driven_variants(const bool quick)
     {
       std::vector<SceneVariant> all = {
         {"in equilibrium", "40 steps", {}},
@@ -424,7 +424,7 @@ namespace apps
     study(promotions(), beam_before_peak(bench));
     if (!bench.quick)
       study(cell_variants(), beam_past_peak(bench));
-    study(led_variants(bench.quick), small_plate(bench.plate));
+    study(driven_variants(bench.quick), small_plate(bench.plate));
     return results.finish({cost_panel(studies.end()[-2], "curve against that of cells everywhere"),
                            cost_panel(studies.back(), "cells in motion against cells in equilibrium")});
   }

@@ -214,7 +214,7 @@ namespace apps
         identified = identification.result().found.law;
       }
     std::vector<SequentialRow> rows;
-    const auto                 instants = model.particles.instants_asked();
+    const auto                 instants = model.particles.instants;
     std::vector<SceneVariant>  variants = variants_of(model.particles.specimen.generator.radius, bench.quick);
     for (SceneVariant &variant : lengths_of(model, bench.quick))
       variants.push_back(std::move(variant));

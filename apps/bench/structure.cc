@@ -75,7 +75,7 @@ namespace apps
 
     std::vector<SceneVariant> variants(const bool quick)
     {
-      std::vector<SceneVariant> all = {{"method", "slaved", {}}};
+      std::vector<SceneVariant> all = {{"method", "constrained", {}}};
       if (quick)
         return all;
       for (const char *ties : {"coarse", "strict"})

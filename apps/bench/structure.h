@@ -19,7 +19,7 @@ namespace apps
   /**
    * A notched beam with a core of particles against the same beam all of particles: error of peak load, and of the opening at it, over cost,
    * by method, width of the core and size of elements. The scenes are of kind structure, in space; the second has one handshake in a box, and
-   * both lead a group `load` along z and have a probe `opening`.
+   * both drive a group `load` along z and have a probe `opening`.
    *
    * Written after every case to structure.csv and structure.md, at the end to structure.png.
    *

@@ -130,10 +130,11 @@ namespace apps
       found.windows                = body->windows();
       found.force_error            = seen.peak_force / model.references.peak_force - 1;
       found.time_error             = seen.contact_time() / model.references.contact_time - 1;
+      const std::string suffix     = "_spurious";
       for (std::size_t c = 0; c < columns.size(); ++c)
         {
           const std::string &name = columns[c].name;
-          if (name.size() > 5 && name.compare(name.size() - 5, 5, "_made") == 0)
+          if (name.size() > suffix.size() && name.compare(name.size() - suffix.size(), suffix.size(), suffix) == 0)
             found.made = row[c] / initial;
           if (name == "energy_residual")
             found.missing = row[c] / initial;

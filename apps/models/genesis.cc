@@ -18,14 +18,8 @@ namespace apps
   dem::AggregateParameters AggregatesSection::parameters(const std::uint64_t seed) const
   {
     dem::AggregateParameters p;
-    p.content = content;
-    for (const std::string &part : comma_separated(bounds))
-      {
-        const auto bound = number_in(part);
-        if (!bound)
-          throw base::InputError("Specimen/Genesis/Aggregates/Sizes = " + bounds + ": \"" + part + "\" is no number.");
-        p.bounds.push_back(*bound);
-      }
+    p.content        = content;
+    p.bounds         = bounds;
     p.fewest_corners = static_cast<int>(fewest_corners);
     p.most_corners   = static_cast<int>(most_corners);
     p.clearance      = clearance;
@@ -78,8 +72,7 @@ namespace apps
         section.refuse(entry, dem::material_name_rule() + std::string("."));
     try
       {
-        const std::vector<double> classes = parameters(1).bounds;
-        const auto misfit = [&](const double area) { return dem::largest_aggregate_misfit(content, classes, area); };
+        const auto misfit = [&](const double area) { return dem::largest_aggregate_misfit(content, bounds, area); };
         if (const double now = misfit(vessel.space()); now > tolerance)
           throw base::InputError(
             fmt::format("whole aggregates miss the grading by {:.2g} of the section, and Size tolerance is {}. The "

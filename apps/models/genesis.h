@@ -15,12 +15,12 @@ namespace apps
   /** Sub-section "Aggregates" of "Genesis": polygons whose particles become rigid clumps. */
   struct AggregatesSection
   {
-    double       content = 0; ///< 0: there are none
-    std::string  bounds;      ///< of the classes [m], as text
-    std::int64_t fewest_corners = 4, most_corners = 6;
-    double       clearance    = 0; ///< [m]
-    bool         middle_sizes = true;
-    std::string  mortar = "mortar", aggregate = "aggregate";
+    double              content = 0; ///< 0: there are none
+    std::vector<double> bounds;      ///< of the classes [m]
+    std::int64_t        fewest_corners = 4, most_corners = 6;
+    double              clearance    = 0; ///< [m]
+    bool                middle_sizes = true;
+    std::string         mortar = "mortar", aggregate = "aggregate";
 
     /** @param vessel that they lie in, valid @param tolerance part of it by which a class may miss what the grading gives */
     void                     check(const base::EntryPath &genesis, const dem::Vessel &vessel, double tolerance) const;

@@ -3,6 +3,7 @@
 #include "apps/scene/section.h"
 
 #include <string>
+#include <vector>
 
 namespace apps
 {
@@ -12,4 +13,15 @@ namespace apps
    */
   Entry &
   declare_list(Section &section, const std::string &entry, std::string &member, const std::string &unit, Need need);
+
+  /** Declare numbers between commas, likewise. @param expected what they may be, for messages: "strains above 0" */
+  Entry &declare_numbers(Section             &section,
+                         const std::string   &entry,
+                         std::vector<double> &member,
+                         const std::string   &unit,
+                         const std::string   &expected,
+                         Need                 need);
+
+  /** Declare names between commas. */
+  Entry &declare_names(Section &section, const std::string &entry, std::vector<std::string> &member, Need need);
 } // namespace apps

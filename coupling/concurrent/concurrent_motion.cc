@@ -22,14 +22,14 @@ namespace coupling
                                           const fem::Solid<dim>          &solid_,
                                           fem::ExplicitSolver<dim>       &motion_,
                                           SolidParticipant<dim>          &participant_,
-                                          std::function<void()>           lead_,
+                                          std::function<void()>           drive_,
                                           const std::vector<std::string> &rigid)
     : specimen(specimen_)
     , solid(solid_)
     , motion(motion_)
     , participant(participant_)
     , particles(specimen_)
-    , lead(std::move(lead_))
+    , drive(std::move(drive_))
     , body_contacts(solid_, participant_)
     , rigid_bodies(solid_, motion_, participant_, rigid)
   {
@@ -67,17 +67,17 @@ namespace coupling
   template <int dim>
   double ConcurrentMotion<dim>::solid_step() const
   {
-    double slaves = 0; // no node is of two handshakes
+    double added = 0; // no node is of two handshakes
     for (const auto &h : handshakes)
-      slaves = std::max(slaves, h->added_eigenvalue());
-    return step_with_contacts(motion, stiffest + slaves + body_contacts.stiffest());
+      added = std::max(added, h->added_eigenvalue());
+    return step_with_contacts(motion, stiffest + added + body_contacts.stiffest());
   }
 
   template <int dim>
-  void ConcurrentMotion<dim>::check_windows(std::function<void(base::StateVisitor &)> state_of_lead)
+  void ConcurrentMotion<dim>::check_windows(std::function<void(base::StateVisitor &)> state_of_drive)
   {
-    checked    = true;
-    lead_state = std::move(state_of_lead);
+    checked     = true;
+    drive_state = std::move(state_of_drive);
   }
 
   template <int dim>
@@ -144,8 +144,8 @@ namespace coupling
     between.clear();
     base::FlatStateWriter writer(between);
     visit_state(writer);
-    if (lead_state)
-      lead_state(writer);
+    if (drive_state)
+      drive_state(writer);
   }
 
   template <int dim>
@@ -155,8 +155,8 @@ namespace coupling
     participant.restore();
     base::FlatStateReader reader(between);
     visit_state(reader);
-    if (lead_state)
-      lead_state(reader);
+    if (drive_state)
+      drive_state(reader);
   }
 
   template <int dim>
@@ -188,7 +188,7 @@ namespace coupling
   }
 
   template <int dim>
-  double ConcurrentMotion<dim>::made() const
+  double ConcurrentMotion<dim>::spurious() const
   {
     double sum = 0;
     if (
@@ -199,10 +199,10 @@ namespace coupling
         sum                          = e.kinetic + e.internal + e.damped - e.external - e.start;
       }
     for (const auto &c : couplings)
-      sum += c->balance().made();
+      sum += c->balance().spurious();
     for (const auto &h : handshakes)
       if (!h->loses_by_itself())
-        sum += h->balance().made();
+        sum += h->balance().spurious();
     return sum;
   }
 
@@ -235,8 +235,8 @@ namespace coupling
     // The same with sides exchanged: particles glide on as they came.
     const double step = steps.window / steps.solid;
     specimen.set_time_step(steps.window);
-    if (lead)
-      lead();
+    if (drive)
+      drive();
     specimen.partners().begin_glide();
     for (int taken = 0; taken < steps.solid; ++taken)
       {
@@ -287,8 +287,8 @@ namespace coupling
       h->begin(steps.window);
     walk_window(particles, steps.window, steps.particles, [&](const double step) {
       specimen.set_time_step(step);
-      if (lead)
-        lead();
+      if (drive)
+        drive();
       corrected.clear();
       std::vector<std::size_t> first;
       for (const auto &h : handshakes)
@@ -325,7 +325,7 @@ namespace coupling
     for (const auto &c : couplings)
       c->forces_to_fem(kick, share);
     body_contacts.push(kick);
-    rigid_bodies.lead(last_solid_step > 0 ? kick : 0.5 * step, step);
+    rigid_bodies.drive(last_solid_step > 0 ? kick : 0.5 * step, step);
   }
 
   template <int dim>
@@ -352,8 +352,8 @@ namespace coupling
   {
     walk_window(particles, steps.window, steps.particles, [this](const double step) {
       specimen.set_time_step(step);
-      if (lead)
-        lead();
+      if (drive)
+        drive();
       specimen.advance(1);
       last_particle_step = step;
     });

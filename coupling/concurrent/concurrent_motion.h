@@ -28,14 +28,14 @@ namespace coupling
   {
   public:
     /**
-     * All but the materials must outlive it. @param lead sets external actions of the particles' next step: motion, walls, forces;
+     * All but the materials must outlive it. @param drive sets external actions of the particles' next step: motion, walls, forces;
      * called before each @param rigid materials of bodies that do not deform @throws as RigidBodies
      */
     ConcurrentMotion(dem::Specimen                  &specimen,
                      const fem::Solid<dim>          &solid,
                      fem::ExplicitSolver<dim>       &motion,
                      SolidParticipant<dim>          &participant,
-                     std::function<void()>           lead  = {},
+                     std::function<void()>           drive = {},
                      const std::vector<std::string> &rigid = {});
 
     /** Before the first window. @throws as SurfaceCoupling */
@@ -58,9 +58,9 @@ namespace coupling
     /**
      * Windows of several steps that have lost more than half of what may still be lost are taken back, and again with shorter ones: what is
      * lost stays below the part, whatever comes into contact in a window. Costs a copy of both sides' states in each such window.
-     * @param lead_state what `lead` remembers besides the specimen; empty: nothing
+     * @param drive_state what `drive` remembers besides the specimen; empty: nothing
      */
-    void check_windows(std::function<void(base::StateVisitor &)> lead_state = {});
+    void check_windows(std::function<void(base::StateVisitor &)> drive_state = {});
     /** How many have been taken back so far, since this process began. */
     int taken_back() const { return windows_taken_back; }
 
@@ -91,7 +91,7 @@ namespace coupling
     void        look();
     WindowSteps take(const WindowSteps &steps);
     /** By all couplings so far, but for those that lose by themselves whatever the ratio [J]. */
-    double made() const;
+    double spurious() const;
     /** p of SubCyclingLoss where particles glide: half the sum of force squared over mass, of what touches surfaces [W/s]. */
     double power_of_gliding() const;
     void   sub_cycle_particles(const WindowSteps &steps);
@@ -112,7 +112,7 @@ namespace coupling
     fem::ExplicitSolver<dim>                          &motion;
     SolidParticipant<dim>                             &participant;
     ParticleParticipant                                particles;
-    std::function<void()>                              lead;
+    std::function<void()>                              drive;
     std::vector<std::unique_ptr<SurfaceCoupling<dim>>> couplings;
     std::vector<std::unique_ptr<VolumeCoupling<dim>>>  handshakes;
     std::vector<std::size_t>                           corrected; ///< particles of the handshakes, one after the other
@@ -124,7 +124,7 @@ namespace coupling
     double                                    last_particle_step = 0, last_solid_step = 0; ///< [s]; 0: none yet
     bool                                      checked            = false;                  ///< see check_windows()
     int                                       windows_taken_back = 0;
-    std::function<void(base::StateVisitor &)> lead_state;
-    base::Column                              between; ///< couplings and lead, as saved
+    std::function<void(base::StateVisitor &)> drive_state;
+    base::Column                              between; ///< couplings and drive, as saved
   };
 } // namespace coupling

@@ -22,7 +22,7 @@ namespace coupling
     bodies::BodyContactEnergy energy;
 
     /** By the contacts themselves: by steps in time, and what the form of the force does not keep [J]. */
-    double made() const { return work + energy.normal + energy.shear + energy.dissipated; }
+    double spurious() const { return work + energy.normal + energy.shear + energy.dissipated; }
   };
 
   /**

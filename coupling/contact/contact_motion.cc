@@ -29,7 +29,7 @@ namespace coupling
     constexpr double rounding = 1e-12;
     const double     length   = rest / std::max(1.0, std::ceil(rest / step() * (1 - rounding)));
     bodies.push(kick_of(length, last_step));
-    rigid.lead(last_step > 0 ? kick_of(length, last_step) : 0.5 * length, length);
+    rigid.drive(last_step > 0 ? kick_of(length, last_step) : 0.5 * length, length);
     participant.advance(length, 1);
     bodies.find();
     last_step = length;

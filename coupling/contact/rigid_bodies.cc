@@ -72,7 +72,7 @@ namespace coupling
   }
 
   template <int dim>
-  void RigidBodies<dim>::lead(const double kick, const double step)
+  void RigidBodies<dim>::drive(const double kick, const double step)
   {
     for (Body &body : bodies)
       move(body, kick, step);

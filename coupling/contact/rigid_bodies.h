@@ -30,7 +30,7 @@ namespace coupling
     bool empty() const { return bodies.empty(); }
 
     /** What the solver's next step does with them, once all forces for it are there. @param kick time that forces push for in it [s] */
-    void lead(double kick, double step);
+    void drive(double kick, double step);
 
     /** A reader must have the same solid. */
     void visit_state(base::StateVisitor &visitor);

@@ -101,7 +101,7 @@ namespace coupling
         try
           {
             point.failure.clear();
-            lead(point, strains[static_cast<std::size_t>(i)]);
+            drive(point, strains[static_cast<std::size_t>(i)]);
           }
         catch (const std::exception &problem) // no exception may leave a thread
           {
@@ -149,7 +149,7 @@ namespace coupling
         visitor.scalar("component", component);
   }
 
-  void MovingCells::lead(Point &point, const base::Voigt &strain) const
+  void MovingCells::drive(Point &point, const base::Voigt &strain) const
   {
     dem::Specimen     &specimen = *point.specimen;
     const std::int64_t least    = least_steps(point);

@@ -89,7 +89,7 @@ namespace coupling
     };
 
     bool            of_discs() const { return parameters.specimen.physics.dimension == 2; }
-    void            lead(Point &point, const base::Voigt &strain) const;
+    void            drive(Point &point, const base::Voigt &strain) const;
     void            find_localised();         ///< among answers that all ranks know
     void            read(Point &point) const; ///< stress and energy of what its particles have come to
     void            share_answers();

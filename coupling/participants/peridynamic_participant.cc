@@ -31,13 +31,13 @@ namespace coupling
         for (std::size_t i = 0; i < forces.c[c].size(); ++i)
           forces.c[c][i] += pushed.c[c][i];
     };
-    all.displacements = [this](const double at, pd::Field &u) { lead(at, u); };
+    all.displacements = [this](const double at, pd::Field &u) { drive(at, u); };
     moving.emplace(body, all, setup.kinematics, velocity, longest_step);
     if (setup.repulsion > 0)
       moving->repel(body, setup.repulsion);
   }
 
-  void PeridynamicParticipant::lead(const double at, pd::Field &u) const
+  void PeridynamicParticipant::drive(const double at, pd::Field &u) const
   {
     own.displacements(at, u);
     if (!moving) // at the start nothing from outside moves it

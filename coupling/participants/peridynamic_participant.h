@@ -78,7 +78,7 @@ namespace coupling
     };
 
     std::size_t place(const std::size_t carrier) const { return body.grid().nodes().at(carrier); }
-    void        lead(double at, dem::peridynamics::Field &u) const;
+    void        drive(double at, dem::peridynamics::Field &u) const;
     /** Let the motion know what comes from outside, for a next step of this length [s]. */
     void look(double step);
 

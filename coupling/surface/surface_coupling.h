@@ -46,9 +46,9 @@ namespace coupling
       0; ///< made by contacts whose push is not the slope of their energy (doc/theory/facets.md, 2 and 7) [J]
 
     /** Made by the transfer itself, zero but for rounding (or sub-cycling) [J]. */
-    double made() const { return work_on_particles + work_on_solid; }
+    double spurious() const { return work_on_particles + work_on_solid; }
     /** By transfer and contacts [J]. */
-    double made_in_all() const { return made() + contacts; }
+    double spurious_in_all() const { return spurious() + contacts; }
   };
 
   /**

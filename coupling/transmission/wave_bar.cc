@@ -275,7 +275,7 @@ namespace coupling
     answer.left_behind_alone = runs.left_behind_alone / packet;
     answer.transmitted       = continuum.energy() / packet;
     answer.absorbed          = handshake.balance().absorbed / packet;
-    answer.made              = handshake.balance().made() / packet;
+    answer.made              = handshake.balance().spurious() / packet;
     answer.balance_error = std::max(particles.energy().balance_error(), continuum.participant->energy().balance_error);
     answer.cost =
       coupled * static_cast<double>(whole.packing.size()) / (by_themselves * static_cast<double>(part.packing.size()));

@@ -215,7 +215,7 @@ namespace coupling
     answer.transmitted   = (solid.kinetic + solid.internal) / packet;
     answer.unhindered    = 2 * kinetic_beyond(alone, course.overlap_end) / packet;
     answer.absorbed      = handshake.balance().absorbed / packet;
-    answer.made          = handshake.balance().made() / packet;
+    answer.made          = handshake.balance().spurious() / packet;
     answer.balance_error = std::max(particles.energy().balance_error(), solid.balance_error);
     answer.cost =
       coupled * static_cast<double>(alone_packing.size()) / (by_themselves * static_cast<double>(packing.size()));

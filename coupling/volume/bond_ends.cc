@@ -25,31 +25,31 @@ namespace coupling
   } // namespace
 
   std::vector<BondEnd> bond_ends(const dem::ElasticNetwork                   &network,
-                                 const std::vector<std::size_t>              &slaves,
+                                 const std::vector<std::size_t>              &constrained,
                                  const Overlap                               &overlap,
                                  const std::function<bool(const Vector3d &)> &in_elements)
   {
     constexpr double  rounding = 1e-9;
-    std::vector<bool> led(network.particles(), false);
-    for (const std::size_t i : slaves)
-      led[i] = true;
+    std::vector<bool> is_constrained(network.particles(), false);
+    for (const std::size_t i : constrained)
+      is_constrained[i] = true;
     std::vector<BondEnd> ends;
     for (const dem::ElasticLink &link : network.links)
       {
-        if (led[link.first] == led[link.second])
+        if (is_constrained[link.first] == is_constrained[link.second])
           continue;
-        const auto [free, slave] =
-          led[link.first] ? std::pair{link.second, link.first} : std::pair{link.first, link.second};
+        const auto [free, held] =
+          is_constrained[link.first] ? std::pair{link.second, link.first} : std::pair{link.first, link.second};
         // A search counts as inside what is outside by rounding, distances do not; but not each of these regions ends with elements.
-        const Vector3d &outside = network.centre[free], &inside = network.centre[slave];
+        const Vector3d &outside = network.centre[free], &inside = network.centre[held];
         Vector3d        from =
           first_place(outside, inside, [&](const Vector3d &place) { return overlap.distance(place) >= 0; });
         if (!in_elements(from))
           from = first_place(from, inside, in_elements);
         const double part = (inside - from).norm() / (inside - outside).norm();
         if (part > rounding) // none of one on the face of an element
-          ends.push_back({from, inside, static_cast<std::size_t>(slave), part,
-                          slave == link.first ? link.arm_first : link.arm_second, link.stiffness / part,
+          ends.push_back({from, inside, static_cast<std::size_t>(held), part,
+                          held == link.first ? link.arm_first : link.arm_second, link.stiffness / part,
                           link.turning / part});
       }
     return ends;
@@ -58,8 +58,8 @@ namespace coupling
   EndPulls pulls_of(const BondEnd &end, const EndNow &now)
   {
     // Slip and relative rotation are those of stiffness_of(), of ends that have turned; stiffness turns with the constrained particle.
-    const Vector3d whole = end.to - end.from, arm = end.arm * whole.normalized(), of_slave = now.turn_to * arm,
-                   of_entry = now.turn_from * (whole - arm), slip = now.to - now.from - of_slave - of_entry;
+    const Vector3d whole = end.to - end.from, arm = end.arm * whole.normalized(), of_constrained = now.turn_to * arm,
+                   of_entry = now.turn_from * (whole - arm), slip = now.to - now.from - of_constrained - of_entry;
     // Twice the vector part of the quaternion, whose rate by a spin w is s w + w x q for the scalar part s.
     const Eigen::Quaterniond q(Eigen::Matrix3d(now.turn_from.transpose() * now.turn_to));
     const double             sign = q.w() < 0 ? -2 : 2;
@@ -68,7 +68,7 @@ namespace coupling
     pulls.force            = now.turn_to * (end.stiffness * (now.turn_to.transpose() * slip));
     const Vector3d moment  = end.turning * bent,
                    between = now.turn_from * (0.5 * sign * q.w() * moment + 0.5 * bent.cross(moment));
-    pulls.couple_to        = between - of_slave.cross(pulls.force) - slip.cross(pulls.force);
+    pulls.couple_to        = between - of_constrained.cross(pulls.force) - slip.cross(pulls.force);
     pulls.couple_from      = -between - of_entry.cross(pulls.force);
     pulls.energy           = 0.5 * slip.dot(pulls.force) + 0.5 * bent.dot(moment);
     return pulls;

@@ -19,9 +19,9 @@ namespace coupling
    */
   struct BondEnd
   {
-    Eigen::Vector3d from, to;  ///< where the bond enters the elements, where the constrained particle is [m]
-    std::size_t     slave = 0; ///< the constrained particle, by packing number
-    double          part  = 0; ///< of the bond's length [-]
+    Eigen::Vector3d from, to;        ///< where the bond enters the elements, where the constrained particle is [m]
+    std::size_t     constrained = 0; ///< the constrained particle, by packing number
+    double          part        = 0; ///< of the bond's length [-]
     double          arm = 0; ///< from the constrained particle to the point where the bond acts, as the bond has it [m]
     Eigen::Matrix3d stiffness; ///< of that part: force over slip, as ElasticLink has it [N/m]
     Eigen::Matrix3d turning;   ///< moment over relative rotation, likewise [N m]
@@ -29,10 +29,10 @@ namespace coupling
 
   /**
    * Of all bonds between constrained particles and others.
-   * @param slaves the constrained particles, by packing number, all of them in elements and in the overlap @param in_elements whether a place is
+   * @param constrained the constrained particles, by packing number, all of them in elements and in the overlap @param in_elements whether a place is
    */
   std::vector<BondEnd> bond_ends(const dem::ElasticNetwork                          &network,
-                                 const std::vector<std::size_t>                     &slaves,
+                                 const std::vector<std::size_t>                     &constrained,
                                  const Overlap                                      &overlap,
                                  const std::function<bool(const Eigen::Vector3d &)> &in_elements);
 
@@ -63,8 +63,8 @@ namespace coupling
         const BondEnd        &end   = ends[e.row / 2];
         const double          side  = e.row % 2 == 0 ? -1 : 1;
         const Eigen::Matrix3d spin  = 0.5 * across(e.gradient);
-        const Eigen::Vector3d whole = end.to - end.from, of_slave = end.arm * whole.normalized(),
-                              lever = e.row % 2 == 0 ? Eigen::Vector3d(whole - of_slave) : of_slave;
+        const Eigen::Vector3d whole = end.to - end.from, of_constrained = end.arm * whole.normalized(),
+                              lever = e.row % 2 == 0 ? Eigen::Vector3d(whole - of_constrained) : of_constrained;
         add(by_nodes, 2 * (e.row / 2), node(e), side * e.weight * Eigen::Matrix3d::Identity() + across(lever) * spin);
         add(by_nodes, 2 * (e.row / 2) + 1, node(e), side * spin);
       }

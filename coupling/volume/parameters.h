@@ -22,7 +22,7 @@ namespace coupling
   /** How particles and a solid are kept together where both fill the same space (doc/theory/volume-coupling.md). */
   enum class VolumeMethod
   {
-    slaved, ///< particles of the overlap are constrained to move with the solid, which alone has stiffness and mass there
+    constrained, ///< particles of the overlap are constrained to move with the solid, which alone has stiffness and mass there
     legacy,     ///< the same, and both are fully stiff there: as published by Stransky (2018), for comparison
     multipliers ///< both share, and multipliers keep their velocities together
   };

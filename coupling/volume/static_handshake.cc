@@ -60,7 +60,7 @@ namespace coupling
     for (std::size_t h = 0; h < handshakes.size(); ++h)
       for (const dem::Tie &tie : handshakes[h].method == VolumeMethod::multipliers ?
                                    kept_together(handshakes[h], in_overlap[h], entries[h]) :
-                                   slaved(in_overlap[h], entries[h]))
+                                   constrained(in_overlap[h], entries[h]))
         ties.push_back(tie);
     loaded.ties = std::make_shared<dem::Ties>(ties, loaded.held, dem::mean_arm(loaded.network));
   }
@@ -102,7 +102,7 @@ namespace coupling
   void StaticHandshake<dim>::enter_bond_ends(const VolumeCouplingParameters &handshake,
                                              const std::vector<std::size_t> &particles)
   {
-    if (handshake.method != VolumeMethod::slaved)
+    if (handshake.method != VolumeMethod::constrained)
       return;
     std::vector<Vector3d> places;
     for (const BondEnd &end : bond_ends(loaded.network, particles, handshake.overlap,
@@ -133,14 +133,14 @@ namespace coupling
           link.stiffness *= share;
           link.turning *= share;
         }
-    if (handshake.method != VolumeMethod::slaved)
+    if (handshake.method != VolumeMethod::constrained)
       return;
-    std::vector<bool> led(network.particles(), false);
+    std::vector<bool> constrained(network.particles(), false);
     for (const std::size_t i : particles)
-      led[i] = true;
+      constrained[i] = true;
     std::size_t kept = 0;
     for (std::size_t l = 0; l < network.links.size(); ++l)
-      if (!(led[network.links[l].first] && led[network.links[l].second]))
+      if (!(constrained[network.links[l].first] && constrained[network.links[l].second]))
         {
           network.links[kept]      = network.links[l];
           loaded.load_slip[kept++] = loaded.load_slip[l];
@@ -206,7 +206,7 @@ namespace coupling
   {
     const auto            n         = static_cast<Index>(joints.size());
     const Eigen::MatrixXd of_joints = dem::joints_of(loaded, motion).reshaped(3, n).topRows(dim);
-    return body->displacement(of_joints.reshaped(), motion.loads[loaded.led]);
+    return body->displacement(of_joints.reshaped(), motion.loads[loaded.driven]);
   }
 
   template <int dim>
@@ -225,8 +225,8 @@ namespace coupling
   }
 
   template <int dim>
-  std::vector<dem::Tie> StaticHandshake<dim>::slaved(const std::vector<std::size_t> &particles,
-                                                     const std::vector<Entry>       &entries) const
+  std::vector<dem::Tie> StaticHandshake<dim>::constrained(const std::vector<std::size_t> &particles,
+                                                          const std::vector<Entry>       &entries) const
   {
     const std::size_t     first = loaded.network.particles();
     std::vector<dem::Tie> ties(dem::motions * particles.size());

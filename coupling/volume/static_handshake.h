@@ -21,7 +21,7 @@ namespace coupling
   {
   public:
     /**
-     * @param particles their free network, with what holds or leads particles beside the solid; links share, or go, in the overlaps
+     * @param particles their free network, with what holds or drives particles beside the solid; links share, or go, in the overlaps
      * @param solid made with Overlap::of_solid() as its share, unless particles are constrained; must outlive this
      * @throws base::InputError where there are no particles in an overlap, where one of them is not in the solid or driven, and as
      * fem::CondensedSolid does
@@ -63,7 +63,8 @@ namespace coupling
     void enter_bond_ends(const VolumeCouplingParameters &handshake, const std::vector<std::size_t> &particles);
     void add_body();
     /** Particles move and turn as the solid does where they are. */
-    std::vector<dem::Tie> slaved(const std::vector<std::size_t> &particles, const std::vector<Entry> &entries) const;
+    std::vector<dem::Tie> constrained(const std::vector<std::size_t> &particles,
+                                      const std::vector<Entry>       &entries) const;
     /** Displacements are the same in the mean around each node, or at each particle. */
     std::vector<dem::Tie> kept_together(const VolumeCouplingParameters &handshake,
                                         const std::vector<std::size_t> &particles,

@@ -42,7 +42,7 @@ namespace coupling
         tie(1);
       }
     else
-      find_stiffness_of_slaves();
+      find_stiffness_of_constrained();
     if (own.absorbs)
       make_absorber();
     place_nodes();
@@ -57,7 +57,8 @@ namespace coupling
       throw base::InputError(
         "Handshakes/" + own.name +
         ": elements of order 2 have shape functions that are negative in places. Lumped ties divide by sums of "
-        "them, and slaved particles hand masses on by them, which are not positive then. Take Method = multipliers "
+        "them, and constrained particles hand masses on by them, which are not positive then. Take Method = "
+        "multipliers "
         "with Ties = coarse or strict, or elements of order 1.");
   }
 
@@ -178,14 +179,14 @@ namespace coupling
     // Mass goes with the bonds, half of each to its constrained particle: beyond what lies in elements, which have it already.
     const std::vector<BondShare> made = bond_shares(bonded_particles(specimen), own.overlap);
     std::vector<double>          halves(network.particles(), 0);
-    std::vector<bool>            led(network.particles(), false);
+    std::vector<bool>            constrained(network.particles(), false);
     for (const std::size_t i : watched)
-      led[i] = true;
+      constrained[i] = true;
     for (const dem::ElasticLink &link : network.links)
-      if (led[link.first] != led[link.second])
-        halves[static_cast<std::size_t>(led[link.first] ? link.first : link.second)] += 1;
+      if (constrained[link.first] != constrained[link.second])
+        halves[static_cast<std::size_t>(constrained[link.first] ? link.first : link.second)] += 1;
     for (const BondEnd &end : ends)
-      halves[end.slave] -= 2 * end.part;
+      halves[end.constrained] -= 2 * end.part;
     std::vector<double> beside;
     for (const std::size_t i : watched)
       beside.push_back(halves[i] > 0 ? halves[i] / made[i].whole : 0.0);
@@ -217,10 +218,10 @@ namespace coupling
   }
 
   template <int dim>
-  void VolumeCoupling<dim>::find_stiffness_of_slaves()
+  void VolumeCoupling<dim>::find_stiffness_of_constrained()
   {
     weigh_nodes();
-    slaves_now.turn.resize(overlapping);
+    constrained_now.turn.resize(overlapping);
     Eigen::VectorXd seen = Eigen::VectorXd::Zero(node_mass.rows());
     for (const Entry &e : at_particles)
       seen[static_cast<Index>(e.node)] += e.weight * specimen.stiffness_around(watched[e.row]);
@@ -251,7 +252,7 @@ namespace coupling
       displaced = of_nodes(motion.displacement());
     gone             = 0;
     turn_given       = Vector3d::Zero();
-    impulse_together = impulse_absorber = impulse_twice = CarrierRows::Zero(from.rows(), 3);
+    impulse_together = impulse_absorber = impulse_double_counted = CarrierRows::Zero(from.rows(), 3);
   }
 
   template <int dim>
@@ -270,7 +271,7 @@ namespace coupling
       {
         if (gone == 0) // its own forces act at once: spread over the window they would act too late, and feed it
           velocity += to - from;
-        lead(correction, first);
+        drive(correction, first);
         path += step * velocity;
         gone += step;
       }
@@ -292,7 +293,7 @@ namespace coupling
         {
           const Vector3d force(pull), couple(pull + 3);
           impulse.row(static_cast<Index>(e.node)) +=
-            kick * (e.weight * force + slaves_now.turn[e.row].force_of(couple, e.gradient));
+            kick * (e.weight * force + constrained_now.turn[e.row].force_of(couple, e.gradient));
         }
     CarrierRows again = CarrierRows::Zero(impulse.rows(), 3); // what bonds bear in elements
     if (of_bond_ends.nonZeros() > 0)
@@ -303,7 +304,7 @@ namespace coupling
     else if (turns && !ends.empty())
       again = kick * slopes_of(ends, at_ends, nodes_now(), dim);
     impulse += again;
-    impulse_twice += again;
+    impulse_double_counted += again;
     impulse_together += impulse;
     velocity += inverse_node_mass.cwiseProduct(impulse);
     if (turns)
@@ -316,7 +317,7 @@ namespace coupling
   }
 
   template <int dim>
-  void VolumeCoupling<dim>::move_slaves(dem::StepCorrection &correction, const std::size_t first)
+  void VolumeCoupling<dim>::move_constrained(dem::StepCorrection &correction, const std::size_t first)
   {
     const auto rates = [&](const std::size_t k) { return &correction.velocity[axes * (first + k)]; };
     for (std::size_t k = 0; k < overlapping; ++k)
@@ -334,13 +335,14 @@ namespace coupling
     const double    step = 2 * correction.half_after;
     const PlacesNow then = places_now(at_particles, overlapping, nodes_now() + step * velocity, dim);
     for (std::size_t k = 0; k < overlapping; ++k)
-      Eigen::Map<Vector3d>{rates(k) + 3} = rotation_between(slaves_now.turn[k].rotation, then.turn[k].rotation) / step;
+      Eigen::Map<Vector3d>{rates(k) + 3} =
+        rotation_between(constrained_now.turn[k].rotation, then.turn[k].rotation) / step;
   }
 
   template <int dim>
-  void VolumeCoupling<dim>::keep_account_of_slaves(const dem::StepCorrection         &correction,
-                                                   const std::size_t                  first,
-                                                   const std::vector<const double *> &pulls)
+  void VolumeCoupling<dim>::keep_account_of_constrained(const dem::StepCorrection         &correction,
+                                                        const std::size_t                  first,
+                                                        const std::vector<const double *> &pulls)
   {
     const double kick    = correction.half_before + correction.half_after;
     const auto   rate_of = [first](const base::Column &column, const std::size_t k, const std::size_t part) {
@@ -356,18 +358,18 @@ namespace coupling
                                            .dot(correction.half_before * rate_of(correction.before, k, part) +
                                                 correction.half_after * rate_of(correction.velocity, k, part));
         exchanged.to_particles += given;
-        exchanged.turn_to_particles += (turns ? slaves_now.place[k] : places[k]).cross(given) - kick * couple;
+        exchanged.turn_to_particles += (turns ? constrained_now.place[k] : places[k]).cross(given) - kick * couple;
       }
   }
 
   template <int dim>
-  void VolumeCoupling<dim>::lead(dem::StepCorrection &correction, const std::size_t first)
+  void VolumeCoupling<dim>::drive(dem::StepCorrection &correction, const std::size_t first)
   {
     if (turns)
-      slaves_now = places_now(at_particles, overlapping, nodes_now(), dim);
+      constrained_now = places_now(at_particles, overlapping, nodes_now(), dim);
     const auto pulls = push_nodes(correction, first, correction.half_before + correction.half_after);
-    move_slaves(correction, first);
-    keep_account_of_slaves(correction, first, pulls);
+    move_constrained(correction, first);
+    keep_account_of_constrained(correction, first, pulls);
   }
 
   template <int dim>
@@ -383,7 +385,7 @@ namespace coupling
       velocity = to + inverse_node_mass.cwiseProduct(impulse_together + impulse_absorber);
     const CarrierRows mean = 0.5 * (from + velocity);
     exchanged.work_on_solid += impulse_together.cwiseProduct(mean).sum();
-    exchanged.twice += impulse_twice.cwiseProduct(mean).sum();
+    exchanged.double_counted += impulse_double_counted.cwiseProduct(mean).sum();
     exchanged.absorbed -= impulse_absorber.cwiseProduct(mean).sum();
     const CarrierRows impulse = impulse_together + impulse_absorber, places_of_nodes = far ? nodes_now() : undeformed;
     for (std::size_t k = 0; k < nodes.size(); ++k)
@@ -447,7 +449,7 @@ namespace coupling
     visitor.scalar(name + "work_on_particles", exchanged.work_on_particles);
     visitor.scalar(name + "work_on_solid", exchanged.work_on_solid);
     visitor.scalar(name + "absorbed", exchanged.absorbed);
-    visitor.scalar(name + "twice", exchanged.twice);
+    visitor.scalar(name + "twice", exchanged.double_counted);
     visitor.scalar(name + "waited", waited);
     visitor.scalar(name + "steps_waited", steps_waited);
   }

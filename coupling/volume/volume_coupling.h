@@ -23,10 +23,10 @@ namespace coupling
     Eigen::Vector3d turn_to_particles = Eigen::Vector3d::Zero(), turn_to_solid = Eigen::Vector3d::Zero();
     double          work_on_particles = 0, work_on_solid = 0; ///< of what keeps them together [J]
     double          absorbed = 0;                             ///< by the absorber, from both [J]
-    double          twice = 0; ///< double-counted: stored in bonds of constrained particles and in elements as well [J]
+    double double_counted = 0; ///< double-counted: stored in bonds of constrained particles and in elements as well [J]
 
     /** Made by the transfer itself, zero but for rounding (lumped and sub-cycled: lost) [J]. */
-    double made() const { return work_on_particles + work_on_solid - twice; }
+    double spurious() const { return work_on_particles + work_on_solid - double_counted; }
   };
 
   /**
@@ -105,20 +105,20 @@ namespace coupling
     /** Of spins, which elements have none of. @param rates at which motion is damped [1/s] */
     void   make_spin_absorber(const Eigen::VectorXd &rates);
     double longest_absorption() const; ///< that takes one go [s]
-    void   find_stiffness_of_slaves();
+    void   find_stiffness_of_constrained();
     /** Points of the solid just outside the overlap, where particles would be if they went on. */
     void         enter_points(AbsorberCarriers &all);
     unsigned int points_per_axis() const; ///< of an element
     CarrierRows  of_nodes(const fem::Vector &field) const;
     /** Where nodes are in the window now [m]. */
     CarrierRows nodes_now() const { return undeformed + displaced + path; }
-    void        lead(dem::StepCorrection &correction, std::size_t first);
+    void        drive(dem::StepCorrection &correction, std::size_t first);
     /** Its parts: forces of constrained particles and of bond ends on nodes, and motion of the former. @return forces on them, nullptr: none */
     std::vector<const double *> push_nodes(const dem::StepCorrection &correction, std::size_t first, double kick);
-    void                        move_slaves(dem::StepCorrection &correction, std::size_t first);
-    void                        keep_account_of_slaves(const dem::StepCorrection         &correction,
-                                                       std::size_t                        first,
-                                                       const std::vector<const double *> &pulls);
+    void                        move_constrained(dem::StepCorrection &correction, std::size_t first);
+    void                        keep_account_of_constrained(const dem::StepCorrection         &correction,
+                                                            std::size_t                        first,
+                                                            const std::vector<const double *> &pulls);
     /** Of one of the watched when the step's forces act: undeformed, where the solid's displacements are small [m]. */
     Eigen::Vector3d place_at_kick(std::size_t k) const;
     /** @param before velocities of the nodes before the step */
@@ -165,10 +165,10 @@ namespace coupling
     CarrierRows     path;               ///< of the nodes in it so far [m]
     CarrierRows     displaced;          ///< of the nodes at its start, where that counts [m]
     CarrierRows     undeformed;         ///< places of the same [m]
-    PlacesNow       slaves_now;         ///< where they turn
+    PlacesNow       constrained_now;    ///< where they turn
     double          gone = 0;           ///< of it so far [s]
     CarrierRows     impulse_together, impulse_absorber; ///< on the nodes in it [N s]
-    CarrierRows     impulse_twice; ///< of the first that part which takes off what bonds bear in elements
+    CarrierRows     impulse_double_counted; ///< of the first that part which takes off what bonds bear in elements
     Eigen::Vector3d turn_given = Eigen::Vector3d::Zero(); ///< to the particles in it [N m s]
     VolumeBalance   exchanged;
     std::size_t     shared_bonds = 0;

@@ -75,7 +75,7 @@ namespace dem
         if (by_iteration->solve(force, accuracy, correction.particles))
           return true;
       }
-    return factor.solve_led(stiffness, unbalanced, change, correction);
+    return factor.solve_driven(stiffness, unbalanced, change, correction);
   }
 
   bool CellSystem::condense(const std::vector<base::Matrix6> &stiffness, const double accuracy, base::Matrix6 &forces)

@@ -71,7 +71,7 @@ namespace dem
 
   Eigen::Vector3d Surface::turn_of(const std::size_t facet) const
   {
-    if (led != Led::by_vertex)
+    if (driven != Driven::by_vertex)
       return turn;
     // Of a triangle (or segment) driven by its corners: how its plane has tilted, and its mean twist about the normal.
     const auto                     n = static_cast<std::size_t>(mesh.corners);
@@ -125,7 +125,7 @@ namespace dem
 
   void Surface::serve(const double step)
   {
-    if (led != Led::by_force)
+    if (driven != Driven::by_force)
       return;
     const double lacking = servo.force + total_force.dot(servo.direction); // on the particles it acts the other way
     double       speed   = std::copysign(servo.largest_speed, lacking);
@@ -139,7 +139,7 @@ namespace dem
     if (still() && !moved)
       return 0;
     double largest = 0;
-    if (led == Led::by_vertex)
+    if (driven == Driven::by_vertex)
       for (std::size_t v = 0; v < place.size(); ++v)
         motion[v] = step * rate[v];
     else

@@ -64,7 +64,7 @@ namespace dem
   struct Surface
   {
     /** What moves it. */
-    enum class Led
+    enum class Driven
     {
       rigidly,  ///< velocity and spin
       by_force, ///< a servo
@@ -79,7 +79,7 @@ namespace dem
     Footprint           footprint; ///< given where contacts are spread
     std::vector<bool>   meets;     ///< each particle, in the order of Particles; empty: all
     base::Column        cut;       ///< how deep each may reach in without force, likewise [m]; empty: not at all
-    Led                 led      = Led::rigidly;
+    Driven              driven   = Driven::rigidly;
     Eigen::Vector3d     velocity = {0, 0, 0}, spin = {0, 0, 0}; ///< of a rigid one [m/s], [rad/s]
     Eigen::Vector3d     centre = {0, 0, 0};                     ///< that it spins about; moves with it [m]
     Eigen::Vector3d     turn   = {0, 0, 0};                     ///< rotation vector of its last step, if rigid
@@ -124,7 +124,7 @@ namespace dem
     void serve(double step);
     /** Move over a step [s]. @return the largest displacement of a vertex [m] */
     double advance(double step);
-    bool   still() const { return led == Led::rigidly && velocity.isZero(0) && spin.isZero(0); }
+    bool   still() const { return driven == Driven::rigidly && velocity.isZero(0) && spin.isZero(0); }
 
     void visit_state(base::StateVisitor &visitor, const std::string &group);
 

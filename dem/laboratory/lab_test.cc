@@ -152,7 +152,7 @@ namespace dem
 
   double LabTest::pressure_now() const { return now == Stage::confining ? ramped(what.pressure) : what.pressure; }
 
-  void LabTest::lead()
+  void LabTest::drive()
   {
     if (now == Stage::loading)
       press.move(ramped(what.speed));

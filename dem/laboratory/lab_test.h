@@ -57,7 +57,7 @@ namespace dem
   };
 
   /**
-   * Takes a specimen through a test and records it: forces of every step, the rest every so many. Around each step lead() comes before
+   * Takes a specimen through a test and records it: forces of every step, the rest every so many. Around each step drive() comes before
    * and observe() after it. The specimen must outlive the test.
    */
   class LabTest
@@ -79,8 +79,8 @@ namespace dem
     void change_speed(const double part) { what.speed *= part; }
 
     /** What the next step does. Calling it again changes nothing. */
-    void lead();
-    /** Whether lead() pushes particles (Specimen::add_force()): clear_forces() before it. */
+    void drive();
+    /** Whether drive() pushes particles (Specimen::add_force()): clear_forces() before it. */
     bool pushes() const { return membrane.has_value(); }
     void observe();
 

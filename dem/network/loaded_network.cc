@@ -63,7 +63,7 @@ namespace dem
       throw base::InputError("Axis = " + std::to_string(axis) + ": must be one of the cell's directions.");
     LoadedNetwork loaded;
     loaded.volume = network.volume;
-    loaded.led    = axis;
+    loaded.driven = axis;
     for (int c = 0; c < 6; ++c)
       loaded.free[c] = lateral_free && c != axis && (network.dimension == 3 || c < 2 || c == 5);
     for (const ElasticLink &l : network.links)
@@ -113,13 +113,13 @@ namespace dem
     return loaded;
   }
 
-  void lead(LoadedNetwork &loaded, const std::vector<std::size_t> &particles, const int motion, const double per_unit)
+  void drive(LoadedNetwork &loaded, const std::vector<std::size_t> &particles, const int motion, const double per_unit)
   {
     for (const std::size_t i : particles)
       {
         loaded.held.at(i) |= bit(motion);
         if (motion < 3)
-          loaded.carried[i](motion, loaded.led) = per_unit;
+          loaded.carried[i](motion, loaded.driven) = per_unit;
       }
     for (std::size_t l = 0; l < loaded.network.links.size(); ++l)
       loaded.load_slip[l] =
@@ -180,10 +180,10 @@ namespace dem
     {
       const ElasticBody    &body  = *loaded.body;
       const Eigen::VectorXd x     = joints_of(loaded, motion);
-      const double          p     = motion.loads[loaded.led];
+      const double          p     = motion.loads[loaded.driven];
       const Eigen::VectorXd force = -(body.stiffness * x) - p * body.by_load;
       u.particles.topRightCorner(3, body.joints()) += force.reshaped(3, body.joints());
-      u.loads[loaded.led] += body.by_load.dot(x) + body.of_load * p;
+      u.loads[loaded.driven] += body.by_load.dot(x) + body.of_load * p;
       return force.squaredNorm();
     }
   } // namespace

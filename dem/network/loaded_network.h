@@ -31,7 +31,7 @@ namespace dem
     /** Displacement of each particle per unit of each parameter, beyond its own motion [m]. */
     std::vector<Eigen::Matrix<double, 3, 6>> carried;
     std::array<bool, 6>                      free   = {};
-    int                                      led    = 0;
+    int                                      driven = 0;
     double                                   volume = 0; ///< force of a parameter over it is its stress [m^3]
     std::optional<ElasticBody>               body;
     std::shared_ptr<const Ties>              ties; ///< between carriers; none: nothing is tied
@@ -41,7 +41,7 @@ namespace dem
   LoadedNetwork unloaded(ElasticNetwork network);
 
   /** Particles that are driven along one of their motions: so much per unit of the driven parameter; nothing: they are held. */
-  void lead(LoadedNetwork &loaded, const std::vector<std::size_t> &particles, int motion, double per_unit);
+  void drive(LoadedNetwork &loaded, const std::vector<std::size_t> &particles, int motion, double per_unit);
 
   /**
    * A periodic cell strained along an axis; with `lateral_free` the other five stresses vanish, else the other five strains do.

@@ -89,19 +89,19 @@ namespace dem
     {
       if (own.empty())
         return Sparse(rows.cols(), 0);
-      std::vector<Eigen::Index> led_by(static_cast<std::size_t>(rows.cols()), -1); // the row
+      std::vector<Eigen::Index> driven_by(static_cast<std::size_t>(rows.cols()), -1); // the row
       for (std::size_t row = 0; row < own.size(); ++row)
-        led_by[static_cast<std::size_t>(own[row])] = static_cast<Eigen::Index>(row);
+        driven_by[static_cast<std::size_t>(own[row])] = static_cast<Eigen::Index>(row);
       std::vector<Eigen::Triplet<double>> entries;
       for (Eigen::Index column = 0; column < rows.cols(); ++column)
         {
-          if (led_by[static_cast<std::size_t>(column)] >= 0)
+          if (driven_by[static_cast<std::size_t>(column)] >= 0)
             continue;
           entries.emplace_back(column, column, 1.0);
           for (Sparse::InnerIterator entry(rows, column); entry; ++entry)
             {
-              const Eigen::Index led = own[static_cast<std::size_t>(entry.row())];
-              entries.emplace_back(led, column, -entry.value() / rows.coeff(entry.row(), led));
+              const Eigen::Index driven = own[static_cast<std::size_t>(entry.row())];
+              entries.emplace_back(driven, column, -entry.value() / rows.coeff(entry.row(), driven));
             }
         }
       Sparse result(rows.cols(), rows.cols());

@@ -165,13 +165,13 @@ namespace dem
     body.angular_momentum = body.turn * (body.inertia * (body.turn.conjugate() * body.spin));
   }
 
-  void Clumps::lead(Particles &particles) const
+  void Clumps::drive(Particles &particles) const
   {
     for (std::size_t clump = 0; clump < bodies.size(); ++clump)
-      lead(particles, clump);
+      drive(particles, clump);
   }
 
-  void Clumps::lead(Particles &particles, const std::size_t clump) const
+  void Clumps::drive(Particles &particles, const std::size_t clump) const
   {
     const Body &body = bodies.at(clump);
     for (std::size_t k = 0; k < body.members.size(); ++k)

@@ -40,8 +40,8 @@ namespace dem
     void
     take_velocities(const Particles &particles, std::size_t clump, const std::vector<std::array<bool, 6>> &given = {});
     /** Pebbles move as their clumps do, or as one of these does. */
-    void lead(Particles &particles) const;
-    void lead(Particles &particles, std::size_t clump) const;
+    void drive(Particles &particles) const;
+    void drive(Particles &particles, std::size_t clump) const;
 
     /**
      * Take the step that the pass has just taken with the pebbles.

@@ -224,7 +224,7 @@ namespace dem
   {
     const double of_surfaces = surfaces.empty() ? 0.0 : begin_surfaces(); // may shorten the step
     // Velocities are those of half a step before the first forces: so are the energies that the account starts from.
-    clumps.lead(particles);
+    clumps.drive(particles);
     double of_links = 0, of_weight = 0.5 * time_step * clumps.power_of_weight(parameters.gravity);
     for (std::size_t i = 0; i < particles.count; ++i)
       for (int c = 0; c < 6; ++c)

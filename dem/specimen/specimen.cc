@@ -118,7 +118,7 @@ namespace dem
     for (const std::size_t clump : moved)
       {
         self->clumps.take_velocities(p, clump, given);
-        self->clumps.lead(p, clump);
+        self->clumps.drive(p, clump);
       }
   }
 

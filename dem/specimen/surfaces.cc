@@ -203,7 +203,7 @@ namespace dem
     Surface &surface = core->surfaces.surface(number);
     if (surface.mesh.is_plane() && !spin.isZero(0))
       throw base::InputError("wall " + surface.name + ": an unbounded plane does not spin. Take a plate of facets.");
-    surface.led      = Surface::Led::rigidly;
+    surface.driven   = Surface::Driven::rigidly;
     surface.velocity = velocity;
     surface.spin     = spin;
     surface.centre   = about;
@@ -217,7 +217,7 @@ namespace dem
       throw base::InputError(
         "wall " + surface.name +
         ": a servo needs a direction, a finite force, a largest speed above 0 m/s and a gain in (0, 1].");
-    surface.led             = Surface::Led::by_force;
+    surface.driven          = Surface::Driven::by_force;
     surface.servo           = servo;
     surface.servo.direction = servo.direction.normalized();
     surface.spin.setZero();
@@ -231,8 +231,8 @@ namespace dem
     if (velocity.size() != surface.place.size())
       throw base::InputError("wall " + surface.name + " of " + std::to_string(surface.place.size()) +
                              " vertices: velocities of " + std::to_string(velocity.size()) + " were given.");
-    surface.led  = Surface::Led::by_vertex;
-    surface.rate = velocity;
+    surface.driven = Surface::Driven::by_vertex;
+    surface.rate   = velocity;
   }
 
   void Surfaces::cut_off(const std::size_t number)

@@ -81,9 +81,9 @@ namespace dem
   {
     double peak = 0;
     for (const auto &point : path)
-      peak = std::max(peak, parameters.sign * point.stress[loaded->led]);
-    const double stress = parameters.sign * path.back().stress[loaded->led];
-    return parameters.sign * led() >= parameters.end_strain * (1 - 1e-12) ||
+      peak = std::max(peak, parameters.sign * point.stress[loaded->driven]);
+    const double stress = parameters.sign * path.back().stress[loaded->driven];
+    return parameters.sign * driven() >= parameters.end_strain * (1 - 1e-12) ||
            (peak > 0 && stress <= parameters.end_stress * peak);
   }
 
@@ -122,7 +122,7 @@ namespace dem
     for (const LinkStiffness stiffness : {LinkStiffness::consistent, LinkStiffness::secant})
       {
         restore(start);
-        done = done || iterate(stiffness, {StepControl::strain, led(), parameters.growth_step});
+        done = done || iterate(stiffness, {StepControl::strain, driven(), parameters.growth_step});
         if (done)
           break;
       }
@@ -167,7 +167,7 @@ namespace dem
         control             = target.control;
         if (done)
           {
-            move(now, answer, target.strain - led());
+            move(now, answer, target.strain - driven());
             restore(now);
             done = iterate(stiffness == LinkStiffness::onward ? LinkStiffness::consistent : stiffness, target);
           }
@@ -211,17 +211,18 @@ namespace dem
     const double step      = direction > 0 ? steps.second : steps.first;
     if (direction == parameters.sign && std::fabs(step) > longest)
       {
-        const double strain = led() + direction * std::min(longest, parameters.end_strain - parameters.sign * led());
+        const double strain =
+          driven() + direction * std::min(longest, parameters.end_strain - parameters.sign * driven());
         return {StepControl::strain, strain, growth};
       }
     // Back along the strain no further than forwards.
-    return {StepControl::opening, std::fabs(step) <= longest ? led() + step : infinity, growth};
+    return {StepControl::opening, std::fabs(step) <= longest ? driven() + step : infinity, growth};
   }
 
   double QuasiStaticPath::correction(const Target &target, const TangentSystem::Answer &answer) const
   {
     if (target.control == StepControl::strain)
-      return target.strain - led();
+      return target.strain - driven();
     const auto [below, above] = steps_to(target.growth, answer);
     if (below > above) // nowhere as small as required: where it is smallest
       return 0.5 * (below + above);
@@ -251,7 +252,7 @@ namespace dem
           return false;
         const double step = correction(target, answer);
         if (!std::isfinite(step) ||
-            std::fabs(led() + step - path.back().strain[loaded->led]) > 4 * parameters.strain_step)
+            std::fabs(driven() + step - path.back().strain[loaded->driven]) > 4 * parameters.strain_step)
           return false;
         move(now, answer, step);
         restore(now);
@@ -267,11 +268,11 @@ namespace dem
     p.least_borne              = least_borne();
     bonds.forget_growth();
     const LinkRelaxationReport report = relax_links(
-      *loaded, bonds, now, parameters.sign * onward * parameters.strain_step * base::Vector6::Unit(loaded->led), p);
+      *loaded, bonds, now, parameters.sign * onward * parameters.strain_step * base::Vector6::Unit(loaded->driven), p);
     if (!report.converged)
       {
         std::ostringstream message;
-        message << "quasi-static loading: no equilibrium at the strain " << led() << " within " << report.steps
+        message << "quasi-static loading: no equilibrium at the strain " << driven() << " within " << report.steps
                 << " steps of relaxation, residual " << report.residual
                 << ". Raise the tolerance, or look for particles that nothing holds.";
         throw base::NumericalError(message.str());
@@ -303,7 +304,7 @@ namespace dem
 
   double QuasiStaticPath::work_of_dead_loads() const
   {
-    return loaded->body ? loaded->body->work_of_loads(joints_of(*loaded, now), led()) : 0.0;
+    return loaded->body ? loaded->body->work_of_loads(joints_of(*loaded, now), driven()) : 0.0;
   }
 
   void QuasiStaticPath::complete(QuasiStaticPoint &point)
@@ -311,7 +312,7 @@ namespace dem
     point.strain      = now.loads;
     point.stress      = unbalanced.loads / loaded->volume;
     point.mean_damage = bonds.mean_damage();
-    point.stored      = bonds.stored() + (loaded->body ? loaded->body->stored(joints_of(*loaded, now), led()) : 0.0);
+    point.stored      = bonds.stored() + (loaded->body ? loaded->body->stored(joints_of(*loaded, now), driven()) : 0.0);
     point.damage      = bonds.damage_work();
     point.friction    = bonds.sliding_work();
     point.iterations  = solutions;

@@ -124,7 +124,7 @@ namespace dem
     void                      visit_points(base::StateVisitor &visitor);
     double                    work_of_dead_loads() const;
     double                    least_borne() const; ///< that residuals are part of [N]
-    double                    led() const { return now.loads[loaded->led]; }
+    double                    driven() const { return now.loads[loaded->driven]; }
 
     const LoadedNetwork          *loaded;
     QuasiStaticParameters         parameters;

@@ -43,8 +43,8 @@ namespace dem
         if (by_leaders.col(column).nonZeros() == 0 || unknown[static_cast<std::size_t>(column)] < 0)
           continue;
         for (Sparse::InnerIterator entry(by_leaders, column); entry; ++entry)
-          if (const int led = unknown[static_cast<std::size_t>(entry.row())]; led >= 0)
-            entries.emplace_back(led, leading, entry.value());
+          if (const int driven = unknown[static_cast<std::size_t>(entry.row())]; driven >= 0)
+            entries.emplace_back(driven, leading, entry.value());
         ++leading;
       }
     leaders.resize(count, leading);

@@ -40,7 +40,7 @@ namespace dem
       number_unknowns();
       lay_out();
       for (int p = 0; p < 6; ++p)
-        if (loaded.free[p] || p == loaded.led)
+        if (loaded.free[p] || p == loaded.driven)
           moving.push_back(p);
       for (int p = 0; p < 6; ++p)
         if (loaded.network.dimension == 3 || p < 2 || p == 5)
@@ -196,7 +196,7 @@ namespace dem
         }
       if (loaded.body)
         for (std::size_t p = 0; p < of.size(); ++p)
-          for (Eigen::Index x = 0; x < loaded.body->by_load.size() && of[p] == loaded.led; ++x)
+          for (Eigen::Index x = 0; x < loaded.body->by_load.size() && of[p] == loaded.driven; ++x)
             if (const int u = unknown[motions * (loaded.network.particles() + static_cast<std::size_t>(x / 3)) +
                                       static_cast<std::size_t>(x % 3)];
                 u >= 0)
@@ -233,8 +233,8 @@ namespace dem
           sum += loaded.load_slip[i].transpose() * (stiffness[i].topRows<3>() * strained);
         }
       if (loaded.body)
-        sum[loaded.led] +=
-          loaded.body->by_load.dot(joints_of(loaded, motion)) + loaded.body->of_load * motion.loads[loaded.led];
+        sum[loaded.driven] +=
+          loaded.body->by_load.dot(joints_of(loaded, motion)) + loaded.body->of_load * motion.loads[loaded.driven];
       return sum;
     }
 
@@ -261,7 +261,7 @@ namespace dem
             D.row(q) /= unit;
             h(q, 0) = -f[q] / unit;
           }
-      h(loaded.led, 1)                        = 1;
+      h(loaded.driven, 1)                     = 1;
       const Eigen::Matrix<double, 6, 2> steps = D.fullPivLu().solve(h);
 
       LoadedMotion constant = answers[0], per_step(loaded.held.size());
@@ -333,10 +333,10 @@ namespace dem
     return answer.constant.particles.allFinite() && answer.per_step.particles.allFinite();
   }
 
-  bool TangentSystem::solve_led(const std::vector<base::Matrix6> &stiffness,
-                                const Unbalanced                 &unbalanced,
-                                const base::Vector6              &change,
-                                LoadedMotion                     &correction)
+  bool TangentSystem::solve_driven(const std::vector<base::Matrix6> &stiffness,
+                                   const Unbalanced                 &unbalanced,
+                                   const base::Vector6              &change,
+                                   LoadedMotion                     &correction)
   {
     Implementation &s = made();
     if (!s.factorize(stiffness))

@@ -44,10 +44,10 @@ namespace dem
      * The same, all parameters given: what balances the particles while the parameters change.
      * @param change of each parameter; also in `correction`
      */
-    bool solve_led(const std::vector<base::Matrix6> &stiffness,
-                   const Unbalanced                 &unbalanced,
-                   const base::Vector6              &change,
-                   LoadedMotion                     &correction);
+    bool solve_driven(const std::vector<base::Matrix6> &stiffness,
+                      const Unbalanced                 &unbalanced,
+                      const base::Vector6              &change,
+                      LoadedMotion                     &correction);
 
     /**
      * Stiffness of the whole network to its parameters, particles in equilibrium: change of each parameter's force per unit of each

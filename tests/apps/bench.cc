@@ -405,7 +405,7 @@ TEST_CASE(
   REQUIRE(errors["promotion"].size() == 1);
   CHECK(errors["promotion"][0] < 1e-6);
   REQUIRE(errors["in motion"].size() == 2);
-  CHECK(errors["in motion"][1] < errors["in motion"][0]); // led slower
+  CHECK(errors["in motion"][1] < errors["in motion"][0]); // driven slower
   CHECK(errors["in motion"][1] < 0.05);
   CHECK(std::filesystem::file_size(folder / "bench/multiscale.png") > 0);
 }

@@ -61,7 +61,7 @@ namespace
     return sum / 8;
   }
 
-  /** Mean pressure of eight of them [Pa] at shortenings of i/100 to a half, each led there alone, slowly, and held sideways. */
+  /** Mean pressure of eight of them [Pa] at shortenings of i/100 to a half, each driven there alone, slowly, and held sideways. */
   std::vector<double> pressures_of_cells(const std::uint64_t first, const double modulus)
   {
     dem::CpmParameters law;

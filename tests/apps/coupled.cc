@@ -36,7 +36,7 @@ TEST_CASE("A ball and a free block keep momentum, angular momentum and energy, a
     }
   CHECK(found.summary["energy"]["balance_error"].get<double>() < 5e-5);
   // What spread contacts make of changing weights is measured to the square of the step.
-  for (const char *maker : {"made_by_couplings", "made_by_contacts"})
+  for (const char *maker : {"spurious_of_couplings", "spurious_of_contacts"})
     CHECK(std::fabs(found.summary["energy"][maker]["block"].get<double>()) <
           1e-6 * found.summary["energy"]["particles_initial"].get<double>());
   const std::string together = content_of(folder / "results/coupled.pvd");
@@ -152,7 +152,7 @@ TEST_CASE("What is glued to a face hangs from it until the strength of the glue,
   CHECK(found.series.column("block_force_z").back() == Approx(balls).epsilon(1e-6));
   CHECK(found.series.column("reaction_back_z").back() == Approx(-balls - block).epsilon(1e-5));
   CHECK(found.summary["energy"]["balance_error"].get<double>() < 1e-3);
-  CHECK(std::fabs(found.summary["energy"]["made_by_couplings"]["block"].get<double>()) <
+  CHECK(std::fabs(found.summary["energy"]["spurious_of_couplings"]["block"].get<double>()) <
         1e-12 * std::fabs(found.series.column("energy_particles_gravity").back()));
   // Glue of less than the weight over the section: pi r^2 = 1.26e-3 m^2.
   std::vector<std::string> weak = slow;

@@ -23,7 +23,7 @@ TEST_CASE("A coupled run reports which side is sub-cycled, and the energy that t
   CHECK_THAT(told.out, Contains("3 steps of the solid, 1 of the particles"));
   const Results found  = results_of(folder, "x.prm", solid_sub_cycled);
   const auto   &series = found.series;
-  const double  energy = series.column("energy_particles_initial").back(), made = series.column("block_made").back();
+  const double energy = series.column("energy_particles_initial").back(), made = series.column("block_spurious").back();
   CHECK(made < 0);
   CHECK(made > -0.12 * energy);
   CHECK(std::fabs(series.column("energy_residual").back() + made) < 1e-3 * energy); // nothing else is missing
@@ -68,7 +68,7 @@ TEST_CASE("Energy that contacts really lose in dents is in the account of the co
   const auto found_in = [&](const std::vector<std::string> &more) {
     const Results found    = results_of(folder, "x.prm", with(more));
     const auto   &residual = found.series.column("energy_residual"),
-               &made       = found.series.column("block_made_by_contacts");
+               &made       = found.series.column("block_spurious_of_contacts");
     const double start     = found.series.column("energy_particles_initial").front();
     Found        most;
     for (std::size_t i = 0; i < residual.size(); ++i)
@@ -129,13 +129,13 @@ TEST_CASE("Sub-cycling is forecast, held to the energy that it may lose, and rep
       INFO(told.out);
       REQUIRE(at != std::string::npos);
       const double forecast = std::stod(told.out.substr(at + std::string("would lose about ").size())),
-                   lost     = -results_of(folder, "x.prm", freely).series.column("block_made").back() / approach;
+                   lost     = -results_of(folder, "x.prm", freely).series.column("block_spurious").back() / approach;
       CHECK(forecast == Approx(lost).epsilon(0.7)); // part of the ball's way is along the face
       std::vector<std::string> held = steps;
       held.emplace_back("Time/Sub-cycling loss=0.004");
       const Results found  = results_of(folder, "x.prm", held);
       const double  energy = found.series.column("energy_particles_initial").back();
-      CHECK(-found.series.column("block_made").back() < 0.004 * energy);
+      CHECK(-found.series.column("block_spurious").back() < 0.004 * energy);
       const std::string warnings = found.summary["warnings"].dump();
       CHECK_THAT(warnings, Contains("Couplings/block has lost 0.00") && Contains("sub-cycling has lost 0.00") &&
                              Contains("Time/Sub-cycling loss = 0.004"));
@@ -154,7 +154,7 @@ TEST_CASE("Checked windows keep a hard blow from losing what the last window cou
   const auto               lost = [&] {
     const Results found = results_of(folder, "x.prm", hard);
     std::filesystem::remove_all(folder / "results");
-    return -found.series.column("block_made").back() / found.series.column("energy_particles_initial").back();
+    return -found.series.column("block_spurious").back() / found.series.column("energy_particles_initial").back();
   };
   const double blind = lost();
   CHECK(blind > 5e-4); // five times what is allowed

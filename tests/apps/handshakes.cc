@@ -52,7 +52,7 @@ TEST_CASE("A beam with a core of particles: the published example's particles, e
   const double energy = series.column("energy_particles_initial").back();
   for (const double residual : series.column("energy_residual"))
     CHECK(std::fabs(residual) < 0.01 * energy);
-  CHECK(std::fabs(series.column("core_made").back()) < 1e-9 * energy);
+  CHECK(std::fabs(series.column("core_spurious").back()) < 1e-9 * energy);
 }
 
 TEST_CASE("A beam with a core of particles takes a blow as one all of particles does, until it is cut through",
@@ -81,7 +81,7 @@ TEST_CASE("bench volume goes on with the notched beam on request", "[apps][volum
   CHECK(std::filesystem::exists(folder / "bench/volume.csv"));
 }
 
-TEST_CASE("Slaved particles need an overlap no wider than bonds reach, however large the elements",
+TEST_CASE("Constrained particles need an overlap no wider than bonds reach, however large the elements",
           "[apps][coupled][volume][slow]")
 {
   const ScratchFolder folder;
@@ -91,7 +91,7 @@ TEST_CASE("Slaved particles need an overlap no wider than bonds reach, however l
                 "Time/Damping=0", "Time/End time=4e-4"}); // half an element is 20 mm
   const double energy = found.series.column("energy_particles_initial").back();
   CHECK(std::fabs(found.series.column("energy_residual").back()) < 0.01 * energy);
-  CHECK(std::fabs(found.series.column("core_made").back()) < 1e-9 * energy);
+  CHECK(std::fabs(found.series.column("core_spurious").back()) < 1e-9 * energy);
   CHECK(found.series.column("core_work").back() > 0); // what goes on into the elements
 }
 
@@ -150,9 +150,9 @@ TEST_CASE("Two regions of particles in one beam work by every method, and overla
       "    set Low     = -0.06, -1, -1\n    set High    = 0.1, 1, 1\n");
   put("subsection Handshakes\n",
       "subsection Handshakes\n  subsection left\n    set Low     = -0.34, -1, -1\n    set High    "
-      "= -0.18, 1, 1\n    set Overlap = 0.0285\n    set Method  = slaved\n  end\n");
+      "= -0.18, 1, 1\n    set Overlap = 0.0285\n    set Method  = constrained\n  end\n");
   folder.file("two.prm", scene);
-  for (const char *method : {"multipliers", "slaved", "legacy"})
+  for (const char *method : {"multipliers", "constrained", "legacy"})
     {
       INFO(method);
       std::vector<std::string> changes = {"Particles/Materials/concrete/CPM/Limit elastic strain=1 -", "Time/Damping=0",
@@ -226,17 +226,17 @@ TEST_CASE("A handshake that gains or loses more energy than is allowed stops the
                               Contains("Energy limit = 0.01 of the largest energy") && Contains(remedy));
   };
   const std::vector<std::string> several = {"Time/Largest ratio=4", "Time/Sub-cycling loss=1"};
-  std::vector<std::string>       led     = several;
-  led.insert(led.begin(), "Handshakes/core/Method=slaved");
-  stops(led, "has made", "Set Time/Largest ratio = ");
+  std::vector<std::string>       driven  = several;
+  driven.insert(driven.begin(), "Handshakes/core/Method=constrained");
+  stops(driven, "has made", "Set Time/Largest ratio = ");
   stops(several, "has lost", "Set Time/Largest ratio = ");
   stops({"Handshakes/core/Ties=lumped"}, "has lost", "Take Ties = coarse or strict");
   std::filesystem::remove_all(folder / "results");
   // Held to what it may lose, and with both in step, every run goes through.
   for (const std::vector<std::string> &changes :
        {std::vector<std::string>{"Time/Largest ratio=4", "Time/Sub-cycling loss=0.002"},
-        {"Handshakes/core/Method=slaved", "Time/Largest ratio=4", "Time/Sub-cycling loss=0.002"},
-        {"Handshakes/core/Method=slaved"},
+        {"Handshakes/core/Method=constrained", "Time/Largest ratio=4", "Time/Sub-cycling loss=0.002"},
+        {"Handshakes/core/Method=constrained"},
         {}})
     {
       const Results found = results_of(folder, "x.prm", changes);
@@ -299,7 +299,7 @@ TEST_CASE("bench volume has every method, at each wavelength, with what a step c
     run(folder.path(), {"bench", "volume", shipped("wave_transmission.prm"), "--quick", "-o", "bench"});
   REQUIRE(done.status == 0);
   const std::string csv = content_of(folder / "bench/volume.csv");
-  for (const char *method : {"absorber", "absorber p=2", "coarse", "strict", "lumped", "slaved", "legacy"})
+  for (const char *method : {"absorber", "absorber p=2", "coarse", "strict", "lumped", "constrained", "legacy"})
     CHECK_THAT(csv, Contains(std::string("\n") + method + ",0.08,"));
   CHECK(std::filesystem::file_size(folder / "bench/volume.png") > 0);
 }

@@ -1,4 +1,4 @@
-// What a motion of a solid must remember to go on to the same bits, pushed and led from outside.
+// What a motion of a solid must remember to go on to the same bits, pushed and driven from outside.
 #include "apps/process/mpi_session.h"
 #include "apps/runs/continuum/model.h"
 #include "apps/runs/continuum/motion.h"
@@ -14,7 +14,7 @@ using namespace apps_tests;
 
 namespace
 {
-  /** A square of 1 m that falls, damped, is pushed at one displacement and led at another, anew in every step. */
+  /** A square of 1 m that falls, damped, is pushed at one displacement and driven at another, anew in every step. */
   struct PushedSquare
   {
     PushedSquare()

@@ -17,12 +17,24 @@ using Catch::Contains;
 
 namespace
 {
-  apps::ParticleEventSection uniaxial(const std::string &instants)
+  using Instants = std::vector<apps::ParticleEventSection::Instant>;
+
+  apps::ParticleEventSection uniaxial(const Instants &instants)
   {
     apps::ParticleEventSection event;
     event.strain_rate = 2;
     event.instants    = instants;
     return event;
+  }
+
+  /** Instants as a scene writes them. @throws base::InputError */
+  Instants read_instants(const std::string &text)
+  {
+    apps::Section              root;
+    apps::ParticleEventSection event;
+    declare(root, event);
+    assign(root, apps::read_overrides({"Particles/Uniaxial/Instants=" + text}), "test");
+    return event.instants;
   }
 
   /** What is refused of a beam or specimen whose other entries are right. */
@@ -64,36 +76,41 @@ namespace
 
 TEST_CASE("Instants are strains, or strains and those unloaded to", "[apps][transfer]")
 {
-  const auto asked = uniaxial("-1e-3, -2e-3 > -1.5e-3").instants_asked();
-  REQUIRE(asked.size() == 2);
-  CHECK(asked[0].forward == -1e-3);
-  CHECK_FALSE(asked[0].back);
-  CHECK(asked[1].forward == -2e-3);
-  CHECK(*asked[1].back == -1.5e-3);
-  CHECK(uniaxial("-1e-3").compresses());
-  CHECK_FALSE(uniaxial("1e-3").compresses());
-  CHECK(uniaxial("-1e-3, -2e-3").cases() == 2);
-  for (const char *nonsense :
-       {"", "0", "deep", "-1e-3 > -2e-3", "-1e-3 >", "-1e-3, , x"}) // led back further than it went
+  const Instants read = read_instants("-1e-3, -2e-3 > -1.5e-3");
+  REQUIRE(read.size() == 2);
+  CHECK(read[0].forward == -1e-3);
+  CHECK_FALSE(read[0].back);
+  CHECK(read[1].forward == -2e-3);
+  CHECK(*read[1].back == -1.5e-3);
+  CHECK(uniaxial({{-1e-3, {}}}).compresses());
+  CHECK_FALSE(uniaxial({{1e-3, {}}}).compresses());
+  CHECK(uniaxial(read).cases() == 2);
+  for (const char *nonsense : {"deep", "-1e-3 >", "-1e-3, , x"})
     {
       CAPTURE(nonsense);
-      CHECK(uniaxial(nonsense).instants_asked().empty());
+      CHECK_THROWS_WITH(read_instants(nonsense), Contains("Instants") && Contains("expected strains"));
+    }
+  for (const char *impossible : {"0", "-1e-3 > -2e-3"}) // driven back further than it went
+    {
+      CAPTURE(impossible);
+      CHECK_THAT(
+        refusal({"Particles/Source=uniaxial", "Particles/Uniaxial/Strain rate=1",
+                 "Particles/Uniaxial/Grip thickness=2.2e-3", std::string("Particles/Uniaxial/Instants=") + impossible}),
+        Contains("Instants") && Contains("expected strains"));
     }
 }
 
 TEST_CASE("The specimen of an event is strained towards its instants, and an impactor is no part of the beam",
           "[apps][transfer]")
 {
-  CHECK(apps::uniaxial_parameters(uniaxial("-1e-3"), -1e-3).strain_rate == -2);
-  CHECK(apps::uniaxial_parameters(uniaxial("1e-3"), 1e-3).strain_rate == 2);
-  apps::ParticleEventSection event = uniaxial("1e-3");
+  CHECK(apps::uniaxial_parameters(uniaxial({{-1e-3, {}}}), -1e-3).strain_rate == -2);
+  CHECK(apps::uniaxial_parameters(uniaxial({{1e-3, {}}}), 1e-3).strain_rate == 2);
+  apps::ParticleEventSection event = uniaxial({{1e-3, {}}});
   CHECK(event.specimen_parameters().loose == 0);
   event.source     = apps::ParticleEventSection::Source::impact;
-  event.velocities = "1, 2.5, 4";
+  event.velocities = {1, 2.5, 4};
   CHECK(event.specimen_parameters().loose == 1);
-  CHECK(event.velocities_asked() == std::vector<double>{1, 2.5, 4});
-  event.velocities = "1, -2";
-  CHECK(event.velocities_asked().empty());
+  CHECK(event.cases() == 3);
 }
 
 TEST_CASE("Instants of two signs, an end beyond nothing and speeds of nothing are refused at their entry",

@@ -1,4 +1,4 @@
-// Groups of particles that are led on circles: by formulas of their place, and about an axis as rigid bodies.
+// Groups of particles that are driven on circles: by formulas of their place, and about an axis as rigid bodies.
 #include "apps/runs/particles/body.h"
 #include "apps/scene/overrides.h"
 #include "apps/scene/particles/model.h"

@@ -50,7 +50,7 @@ TEST_CASE("Where nothing is damaged, elements that have become particles leave w
 {
   const ScratchFolder            made, grown_folder, whole_folder;
   const std::vector<std::string> packing = beam_of(made), once = with(packing, "Path/End=2e-6");
-  for (const char *method : {"slaved", "multipliers"})
+  for (const char *method : {"constrained", "multipliers"})
     {
       INFO(method);
       const std::string set   = std::string("Handshakes/core/Method=") + method;

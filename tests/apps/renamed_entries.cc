@@ -59,3 +59,21 @@ TEST_CASE("Only what had the old name is renamed: not what a scene names so itse
   CHECK(assignments[2].path() == "Particles/Probes/force/Group");
   CHECK(assignments[3].path() == "Probes/force/Group");
 }
+
+TEST_CASE("Words and columns of before are read in lists and in any case, and nothing else of a value changes",
+          "[apps]")
+{
+  auto assignments = apps::read_overrides(
+    {"Handshakes/core/Method=Slaved", "Waves/Methods=absorber p=2, slaved , legacy", "Output/Curve vertical=beam_made",
+     "Output/Curve horizontal=core_twice", "Output/Curve vertical=beam_made_by_contacts", "Output/Curve vertical=_made",
+     "Groups/slaved/Axis=x", "Waves/Methods=enslaved"});
+  CHECK(apps::use_present_names(assignments).size() == 5);
+  CHECK(assignments[0].value == "constrained");
+  CHECK(assignments[1].value == "absorber p=2, constrained, legacy");
+  CHECK(assignments[2].value == "beam_spurious");
+  CHECK(assignments[3].value == "core_double_counted");
+  CHECK(assignments[4].value == "beam_spurious_of_contacts");
+  CHECK(assignments[5].value == "_made");
+  CHECK(assignments[6].path() == "Groups/slaved/Axis");
+  CHECK(assignments[7].value == "enslaved");
+}

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-/** Of structures led along their equilibria. */
+/** Of structures driven along their equilibria. */
 namespace apps_tests
 {
   inline double peak_load(const Results &results)

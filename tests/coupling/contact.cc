@@ -28,7 +28,7 @@ namespace
         seen.momentum = std::max(seen.momentum, (coupling::momentum_of(*b.participant).linear - start.linear).norm() /
                                                   start.linear.norm());
         seen.turn     = std::max(seen.turn, b.contact().balance().turn.norm() / start.angular.norm());
-        seen.made     = std::max(seen.made, std::fabs(b.contact().balance().made()) / energy);
+        seen.made     = std::max(seen.made, std::fabs(b.contact().balance().spurious()) / energy);
         seen.force    = std::max(seen.force, b.contact().contacts().on_body()[0].norm());
       }
     seen.left     = b.energy() / energy - 1;

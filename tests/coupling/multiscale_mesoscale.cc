@@ -188,7 +188,7 @@ TEST_CASE(
   const auto cell = prepared();
   auto       of   = points({cell});
   of->allocate(1);
-  const auto lead = [&](const base::Voigt &from, const base::Voigt &to, const int steps) {
+  const auto drive = [&](const base::Voigt &from, const base::Voigt &to, const int steps) {
     for (int i = 1; i <= steps; ++i)
       {
         asked(*of, from + i / static_cast<double>(steps) * (to - from));
@@ -196,23 +196,23 @@ TEST_CASE(
       }
   };
   const base::Voigt open = 2e-3 * base::Voigt::Unit(0), closed = -2e-4 * base::Voigt::Unit(0);
-  lead(base::Voigt::Zero(), open, 40);
+  drive(base::Voigt::Zero(), open, 40);
   CHECK(of->record(0).damage > 0.1);
   const double softened = asked(*of, open + 1e-9 * base::Voigt::Unit(0)).tangent(0, 0);
   CHECK(softened < 0.2 * cell->stiffness()(0, 0));
-  lead(open, closed, 40);
+  drive(open, closed, 40);
   const auto pushed = asked(*of, closed - 1e-9 * base::Voigt::Unit(0));
   CHECK(pushed.stress[0] < 0);
   CHECK(pushed.tangent(0, 0) > 0.3 * cell->stiffness()(0, 0)); // links that are closed push as if nothing had happened
 
   const double      before  = of->cell(0)->energy().friction;
   const base::Voigt sheared = closed + 5e-4 * base::Voigt::Unit(5);
-  lead(closed, sheared, 10);
+  drive(closed, sheared, 10);
   CHECK(of->cell(0)->energy().friction > before);
   // Under twice the pressure it slides under more shear.
   const double shear = std::fabs(asked(*of, sheared).stress[5]);
-  lead(sheared, sheared + closed, 10);
-  lead(sheared + closed, sheared + closed + 5e-4 * base::Voigt::Unit(5), 10);
+  drive(sheared, sheared + closed, 10);
+  drive(sheared + closed, sheared + closed + 5e-4 * base::Voigt::Unit(5), 10);
   CHECK(std::fabs(asked(*of, sheared + closed + 5e-4 * base::Voigt::Unit(5)).stress[5]) > 1.2 * shear);
   const dem::CellEnergy energy = of->cell(0)->energy();
   CHECK(std::fabs(energy.residual()) < 0.03 * energy.external_work);

@@ -48,7 +48,7 @@ namespace
   }
 
   /** Evenly to a strain in so many steps of the solid. */
-  void lead(
+  void drive(
     coupling::MovingCells &of, const base::Voigt &from, const base::Voigt &to, const int steps, const std::size_t n = 1)
   {
     for (int i = 1; i <= steps; ++i)
@@ -71,8 +71,8 @@ TEST_CASE("moving cells: driven slowly they come to the stress of the static sol
 {
   auto              of     = moving(1);
   const base::Voigt strain = mixed(1e-6), rest = base::Voigt::Zero();
-  lead(*of, rest, strain, 400);
-  lead(*of, strain, strain, 400);
+  drive(*of, rest, strain, 400);
+  drive(*of, strain, strain, 400);
   const base::Voigt expected = prepared()->stiffness() * strain;
   CHECK((stress_at(*of, strain) - expected).norm() < 1e-3 * expected.norm());
   CHECK(of->inertia_part(0).norm() < 1e-6 * expected.norm());
@@ -99,8 +99,8 @@ TEST_CASE("moving cells: strains of a solid that turns far lead them as the stre
   const base::Voigt rest = base::Voigt::Zero(), stretch = 0.01 * base::Voigt::Unit(0);
   base::Voigt       green = rest;
   green[0]                = 0.5 * (1.01 * 1.01 - 1);
-  lead(*small, rest, stretch, 300);
-  lead(*large, rest, green, 300);
+  drive(*small, rest, stretch, 300);
+  drive(*large, rest, green, 300);
   // Second Piola-Kirchhoff's stress along the stretch: J/lambda^2 times Cauchy's.
   CHECK(stress_at(*large, green)[0] == Approx(stress_at(*small, stretch)[0] / 1.01).epsilon(2e-3));
 }
@@ -110,9 +110,9 @@ TEST_CASE("moving cells: the same bits for any number of threads, and from a sta
 {
   auto              one = moving(3), two = moving(3), again = moving(3);
   const base::Voigt rest = base::Voigt::Zero(), half = mixed(1e-6), full = mixed(2e-6);
-  lead(*one, rest, half, 50, 3);
+  drive(*one, rest, half, 50, 3);
   omp_set_num_threads(2);
-  lead(*two, rest, half, 50, 3);
+  drive(*two, rest, half, 50, 3);
   omp_set_num_threads(1);
   base::Column          saved;
   base::FlatStateWriter writer(saved);
@@ -130,7 +130,7 @@ TEST_CASE("moving cells: the same bits for any number of threads, and from a sta
       });
     }
   for (auto *of : {one.get(), two.get(), again.get()})
-    lead(*of, half, full, 50, 3);
+    drive(*of, half, full, 50, 3);
   for (std::size_t i = 0; i < 3; ++i)
     {
       CHECK(stress_at(*one, full, i) == stress_at(*two, full, i));
@@ -167,14 +167,14 @@ TEST_CASE(
     {
       auto              of     = brittle(stops);
       const base::Voigt pulled = 3e-3 * base::Voigt::Unit(0), squeezed = -2e-5 * base::Voigt::Unit(0);
-      lead(*of, base::Voigt::Zero(), squeezed, 20); // elastic: there and back
-      lead(*of, squeezed, base::Voigt::Zero(), 20);
+      drive(*of, base::Voigt::Zero(), squeezed, 20); // elastic: there and back
+      drive(*of, squeezed, base::Voigt::Zero(), 20);
       CHECK(of->localisations().empty());
       double        stress_then = 0, peak = 0;
       constexpr int steps = 600;
       for (int i = 0; i < steps && of->localisations().empty(); ++i)
         {
-          lead(*of, i / double(steps) * pulled, (i + 1) / double(steps) * pulled, 1);
+          drive(*of, i / double(steps) * pulled, (i + 1) / double(steps) * pulled, 1);
           stress_then = stress_at(*of, (i + 1) / double(steps) * pulled)[0];
           peak        = std::max(peak, stress_then);
         }

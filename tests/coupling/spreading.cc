@@ -241,7 +241,7 @@ TEST_CASE("spreading: a collision over an edge keeps momenta and power, sub-cycl
       CHECK((b.turn_to_particles + b.turn_to_solid).norm() < 1e-10 * b.turn_to_solid.norm());
       if (ratio > 1)
         continue;
-      CHECK(std::fabs(b.made()) < 1e-12 * std::fabs(b.work_on_solid));
+      CHECK(std::fabs(b.spurious()) < 1e-12 * std::fabs(b.work_on_solid));
       CHECK(hit.energy() == Approx(energy).epsilon(1e-3));
     }
 }
@@ -371,7 +371,7 @@ TEST_CASE("spreading: balls that go apart side by side move the bounds of each o
 
 TEST_CASE("spreading: a ball rolls over small faces of a block with constant force", "[coupling]")
 {
-  // Led over the stiff block at one height: the force is that of the height, wherever it is.
+  // Driven over the stiff block at one height: the force is that of the height, wherever it is.
   Block<3>                     block(10, stands);
   dem::Specimen                specimen = ball(0.02, {0.03, 0.04, 0.1199}, {0, 0, 0}, {0, 0, 0});
   dem::LinearContactParameters smooth   = rough();

@@ -48,7 +48,7 @@ namespace
       for (std::size_t i = 0; near && i < particles.network.particles(); ++i)
         if (const Vector3d x = particles.network.centre[i]; x.x() < spacing)
           for (int c = 0; c < dim; ++c)
-            dem::lead(particles, {i}, c, far(x)[c]);
+            dem::drive(particles, {i}, c, far(x)[c]);
       both = std::make_unique<coupling::StaticHandshake<dim>>(std::move(particles), *solid, std::vector{p});
       const dem::LoadedNetwork  &loaded = both->network();
       dem::TangentSystem         system(loaded);
@@ -62,10 +62,10 @@ namespace
         {
           links->evaluate(motion);
           dem::LoadedMotion further;
-          REQUIRE(system.solve_led(
+          REQUIRE(system.solve_driven(
             stiffness,
             dem::unbalanced_of(loaded, motion, links->forces(), links->moments(), dem::mean_arm(loaded.network)),
-            step * base::Vector6::Unit(loaded.led), further));
+            step * base::Vector6::Unit(loaded.driven), further));
           motion.particles += further.particles;
           motion.loads += further.loads;
         }
@@ -156,8 +156,8 @@ namespace
   std::vector<std::pair<std::string, coupling::VolumeCouplingParameters>> methods()
   {
     std::vector<std::pair<std::string, coupling::VolumeCouplingParameters>> all(4);
-    all[0].first                = "slaved";
-    all[0].second.method        = coupling::VolumeMethod::slaved;
+    all[0].first                = "constrained";
+    all[0].second.method        = coupling::VolumeMethod::constrained;
     all[1].first                = "legacy";
     all[1].second.method        = coupling::VolumeMethod::legacy;
     all[2].first                = "coarse";
@@ -261,7 +261,7 @@ TEST_CASE("static handshake: a bar with a weak section snaps back as the same ba
   for (std::size_t i = 0; i < alone.network.particles(); ++i)
     for (int c = 0; c < 2; ++c)
       if (const double x = alone.network.centre[i].x(); x < spacing || x > 28 * spacing)
-        dem::lead(alone, {i}, c, c == 0 && x > spacing ? 1 : 0);
+        dem::drive(alone, {i}, c, c == 0 && x > spacing ? 1 : 0);
   weaken(alone);
   const auto expected = pulled(alone);
   REQUIRE(expected.size() > 20);

@@ -83,7 +83,7 @@ TEST_CASE("surface coupling: a closed system keeps its momentum, and power is th
   REQUIRE(met);
   CHECK(most < 1e-12 * start.norm());
   const coupling::SurfaceBalance b = c.parted(start.norm());
-  CHECK(std::fabs(b.made()) < 1e-12 * std::fabs(b.work_on_solid));
+  CHECK(std::fabs(b.spurious()) < 1e-12 * std::fabs(b.work_on_solid));
 }
 
 TEST_CASE(
@@ -151,10 +151,10 @@ TEST_CASE(
       CHECK((c.total_momentum() - start).norm() < 1e-12 * start.norm());
       CHECK((c.total_angular_momentum() - turning).norm() < 1e-10 * turning.norm());
       const coupling::SurfaceBalance b = c.parted(start.norm());
-      made[halved]                     = std::fabs(b.made() / b.work_on_particles);
+      made[halved]                     = std::fabs(b.spurious() / b.work_on_particles);
       CHECK(c.specimen.energy().balance_error() < 2e-3); // what sub-cycling makes is told, not lost
-      CHECK(b.made() < 0);
-      CHECK(c.energy() - first == Approx(b.made()).margin(2e-3 * first));
+      CHECK(b.spurious() < 0);
+      CHECK(c.energy() - first == Approx(b.spurious()).margin(2e-3 * first));
     }
   CHECK(made[0] < 0.1);
   CHECK(made[1] < 0.7 * made[0]);
@@ -190,9 +190,9 @@ TEST_CASE("surface coupling: with the solid sub-cycled momenta and power are kep
       CHECK(most < 1.001 * first);
       const coupling::SurfaceBalance b = c.parted(start.norm());
       CHECK(c.specimen.energy().balance_error() < 2e-3); // what sub-cycling makes is told, not lost
-      CHECK(b.made() < 0);
-      CHECK(c.energy() - first == Approx(b.made()).margin(2e-3 * first));
-      made[halved] = b.made() / first;
+      CHECK(b.spurious() < 0);
+      CHECK(c.energy() - first == Approx(b.spurious()).margin(2e-3 * first));
+      made[halved] = b.spurious() / first;
     }
   CHECK(made[0] > -0.12);
   CHECK(made[1] == Approx(0.5 * made[0]).epsilon(0.15));
@@ -218,7 +218,7 @@ TEST_CASE(
           const coupling::SurfaceBalance b = c.parted(start.norm());
           lost[held]                       = c.both.sub_cycling_loss().lost() / energy;
           steps[held]                      = c.both.sub_cycling_loss().steps() / c.both.sub_cycling_loss().windows();
-          CHECK(c.both.sub_cycling_loss().lost() == Approx(-b.made()).margin(1e-5 * energy));
+          CHECK(c.both.sub_cycling_loss().lost() == Approx(-b.spurious()).margin(1e-5 * energy));
           CHECK((c.total_momentum() - start).norm() < 1e-12 * start.norm());
           CHECK((c.total_angular_momentum() - turning).norm() < 1e-10 * turning.norm());
         }
@@ -253,7 +253,7 @@ TEST_CASE("surface coupling: checked windows keep to what may be lost where a ha
     Lost           found;
     for (double time = 0; time < 4e-3;)
       time += c.both.advance(4e-3 - time).window;
-    found.all        = -c.parted(start.norm()).made() / energy;
+    found.all        = -c.parted(start.norm()).spurious() / energy;
     found.taken_back = c.both.taken_back();
     CHECK(c.both.sub_cycling_loss().lost() == Approx(found.all * energy).epsilon(1e-6));
     CHECK((c.total_momentum() - start).norm() < 1e-12 * start.norm());
@@ -290,7 +290,7 @@ TEST_CASE("surface coupling: S11, a heavy ball on a light block keeps it stable"
         std::max(most, specimen.energy().kinetic + block.motion->energy().kinetic + block.motion->energy().internal);
     }
   CHECK(most < 1.02 * start);
-  CHECK(std::fabs(surface.balance().made()) < 1e-12 * start + 1e-12 * std::fabs(surface.balance().work_on_solid));
+  CHECK(std::fabs(surface.balance().spurious()) < 1e-12 * start + 1e-12 * std::fabs(surface.balance().work_on_solid));
 }
 
 namespace
@@ -406,7 +406,7 @@ TEST_CASE("surface coupling: in the plane a disc bounces off a block of segments
     both.advance(step);
   CHECK(specimen.particle(0).velocity.y() > 0);
   CHECK((momentum(specimen) + block.momentum() - start).norm() < 1e-12 * start.norm());
-  CHECK(std::fabs(surface.balance().made()) < 1e-12 * std::fabs(surface.balance().work_on_solid));
+  CHECK(std::fabs(surface.balance().spurious()) < 1e-12 * std::fabs(surface.balance().work_on_solid));
 }
 
 TEST_CASE("surface coupling: a part of the boundary that is not there is refused by name", "[coupling]")

@@ -61,7 +61,7 @@ namespace
     for (const auto &[name, method] : methods())
       {
         INFO(name);
-        if (method.method == VolumeMethod::multipliers) // slaves start at rest
+        if (method.method == VolumeMethod::multipliers) // constrained particles start at rest
           CHECK(distance_from_motion<dim>(method, 50, v, Vector3d::Zero()) <= 1e-10);
         CHECK(distance_from_motion<dim>(method, 3, Vector3d::Zero(), spin) <= 1e-10);
       }
@@ -95,7 +95,7 @@ namespace
         // Either side accounts for what the other gives; and both of them for the same.
         CHECK(std::fabs(bar.particles.energy().residual()) <= 1e-6 * energy);
         CHECK(std::fabs(residual() - residual_of_solid) <= 1e-9 * energy);
-        const double made = b.made() - before.made();
+        const double made = b.spurious() - before.spurious();
         if (method.lumped) // takes energy
           CHECK(made < 0);
         else
@@ -273,13 +273,13 @@ TEST_CASE("volume coupling: S10, a solid a hundred times as soft, fifty steps of
         Bar<2> bar(method, {0.2, 50, 100, 1.5, {}, {}, {}});
         bar.set_velocity(Bar<2>::noise);
         bar.advance(5);
-        const double energy = bar.energy(), made = bar.coupled->balance().made();
+        const double energy = bar.energy(), made = bar.coupled->balance().spurious();
         double       most = 0;
         while (bar.particles.steps() < 100000)
           {
             const auto taken = bar.both->advance(1);
             REQUIRE(taken.particles >= 40);
-            most = std::max(most, bar.coupled->balance().made() - made);
+            most = std::max(most, bar.coupled->balance().spurious() - made);
           }
         CHECK(most <= 1e-3 * energy);
         CHECK(bar.energy() <= 1.001 * energy);
@@ -292,11 +292,11 @@ TEST_CASE("volume coupling: a million steps close to the critical one neither ma
   Bar<2> bar(tied(Compatibility::coarse), {0.99, 1, 1, 1.5, {}, {}, {}});
   bar.set_velocity(Bar<2>::noise);
   bar.advance(5);
-  const double energy = bar.energy(), made = bar.coupled->balance().made();
+  const double energy = bar.energy(), made = bar.coupled->balance().spurious();
   for (int block = 0; block < 100; ++block)
     {
       bar.advance(10000);
-      REQUIRE(std::fabs(bar.coupled->balance().made() - made) <= 1e-6 * energy);
+      REQUIRE(std::fabs(bar.coupled->balance().spurious() - made) <= 1e-6 * energy);
       REQUIRE(std::fabs(bar.particles.energy().residual()) <= 1e-3 * energy);
     }
 }
@@ -313,7 +313,7 @@ TEST_CASE(
       bar.advance(5);
       const auto whole = [&] {
         const coupling::VolumeBalance &b = bar.coupled->balance();
-        return bar.energy() + b.absorbed - b.made();
+        return bar.energy() + b.absorbed - b.spurious();
       };
       // The two sides know their energies at times that are not the same: what counts is the mean over many steps.
       const auto mean = [&] {

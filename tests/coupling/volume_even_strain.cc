@@ -150,23 +150,24 @@ TEMPLATE_TEST_CASE_SIG("volume coupling: particles and nodes that strain evenly 
                        2,
                        3)
 {
-  BarOptions<dim> shared, slaved;
+  BarOptions<dim> shared, constrained;
   shared.stiffness = stiffness_of_lattice<dim>(shared.interaction_ratio);
-  // Slaves pass it on where they stand on the faces of elements, and have no bonds along these, which would bear half of a couple there.
-  slaved.packing           = on_faces<dim>();
-  slaved.interaction_ratio = 1.05;
-  slaved.stiffness         = stiffness_of_lattice<dim>(slaved.interaction_ratio);
+  // Constrained particles pass it on where they are on the faces of elements, and have no bonds along these, which would bear half of a couple there.
+  constrained.packing           = on_faces<dim>();
+  constrained.interaction_ratio = 1.05;
+  constrained.stiffness         = stiffness_of_lattice<dim>(constrained.interaction_ratio);
   for (const auto &[name, method] : methods())
     {
       INFO(name);
       const bool   shares = method.method == VolumeMethod::multipliers;
       const double error  = shares ? distance_from<dim>(method, gradient<dim>(), shared) :
-                                     distance_from<dim>(method, stretch<dim>(), slaved);
+                                     distance_from<dim>(method, stretch<dim>(), constrained);
       if (method.method == VolumeMethod::legacy) // stiff twice where both are
         CHECK(error > 1e-3);
       else
         CHECK(error <= 1e-10);
-      if (method.method == VolumeMethod::slaved) // off the faces too, what bonds bear in elements is taken off these
+      if (method.method ==
+          VolumeMethod::constrained) // off the faces too, what bonds bear in elements is taken off these
         CHECK(distance_from<dim>(method, gradient<dim>(), shared) <= 1e-10);
     }
 }

@@ -28,16 +28,16 @@ namespace volume
   struct BarOptions
   {
     double                         step_factor       = 0.8;
-    int                            largest_ratio     = 1;     ///< steps of particles in one of the solid
-    double                         softer            = 1;     ///< the solid than the particles
-    double                         interaction_ratio = 1.5;   ///< diagonals too: a square alone has no shear stiffness
-    std::optional<dem::Packing>    packing;                   ///< bonded; else a lattice
-    std::optional<base::Stiffness> stiffness;                 ///< of the solid [Pa]; else isotropic
-    std::function<void(Bar<dim, width> &)>    hold;           ///< before both are coupled
-    bool                                      turns  = false; ///< displacements of the solid are large
-    unsigned int                              degree = 1;     ///< of its elements
-    std::function<Vector3d(const Vector3d &)> velocity = {};       ///< of all from the start, before both are coupled [m/s]
-    Vector3d                                  spin = Vector3d::Zero(); ///< of particles, likewise [rad/s]
+    int                            largest_ratio     = 1;   ///< steps of particles in one of the solid
+    double                         softer            = 1;   ///< the solid than the particles
+    double                         interaction_ratio = 1.5; ///< diagonals too: a square alone has no shear stiffness
+    std::optional<dem::Packing>    packing;                 ///< bonded; else a lattice
+    std::optional<base::Stiffness> stiffness;               ///< of the solid [Pa]; else isotropic
+    std::function<void(Bar<dim, width> &)>    hold;         ///< before both are coupled
+    bool                                      turns    = false; ///< displacements of the solid are large
+    unsigned int                              degree   = 1;     ///< of its elements
+    std::function<Vector3d(const Vector3d &)> velocity = {}; ///< of all from the start, before both are coupled [m/s]
+    Vector3d                                  spin     = Vector3d::Zero(); ///< of particles, likewise [rad/s]
   };
 
   /**
@@ -204,7 +204,7 @@ namespace volume
     return p;
   }
 
-  inline coupling::VolumeCouplingParameters led(const VolumeMethod method)
+  inline coupling::VolumeCouplingParameters driven(const VolumeMethod method)
   {
     coupling::VolumeCouplingParameters p;
     p.method = method;
@@ -214,9 +214,12 @@ namespace volume
   inline const std::vector<std::pair<std::string, coupling::VolumeCouplingParameters>> &methods()
   {
     static const std::vector<std::pair<std::string, coupling::VolumeCouplingParameters>> all = {
-      {"coarse", tied(Compatibility::coarse)},       {"strict", tied(Compatibility::strict)},
-      {"lumped", tied(Compatibility::strict, true)}, {"absorber", tied(Compatibility::coarse, false, true)},
-      {"slaved", led(VolumeMethod::slaved)},         {"legacy", led(VolumeMethod::legacy)}};
+      {"coarse", tied(Compatibility::coarse)},
+      {"strict", tied(Compatibility::strict)},
+      {"lumped", tied(Compatibility::strict, true)},
+      {"absorber", tied(Compatibility::coarse, false, true)},
+      {"constrained", driven(VolumeMethod::constrained)},
+      {"legacy", driven(VolumeMethod::legacy)}};
     return all;
   }
 } // namespace volume

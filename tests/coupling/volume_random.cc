@@ -80,10 +80,10 @@ namespace
       {
         links.evaluate(motion);
         dem::LoadedMotion further;
-        if (!system.solve_led(
+        if (!system.solve_driven(
               stiffness,
               dem::unbalanced_of(loaded, motion, links.forces(), links.moments(), dem::mean_arm(loaded.network)),
-              step * base::Vector6::Unit(loaded.led), further))
+              step * base::Vector6::Unit(loaded.driven), further))
           FAIL("the system cannot be solved");
         motion.particles += further.particles;
         motion.loads += further.loads;
@@ -99,7 +99,7 @@ namespace
     for (std::size_t i = 0; i < packing.size(); ++i)
       if (packing.centre[i].cwiseAbs().maxCoeff() > half - spacing)
         for (int c = 0; c < dim; ++c)
-          dem::lead(loaded, {i}, c, (strain<dim>() * packing.centre[i])[c]);
+          dem::drive(loaded, {i}, c, (strain<dim>() * packing.centre[i])[c]);
     return equilibrium(loaded, material);
   }
 
@@ -265,7 +265,7 @@ TEMPLATE_TEST_CASE_SIG(
     {
       const auto                         solid = surrounding<dim>(D, false, element);
       coupling::VolumeCouplingParameters handshake;
-      handshake.method  = VolumeMethod::slaved;
+      handshake.method  = VolumeMethod::constrained;
       handshake.name    = "core";
       handshake.overlap = overlap<dim>();
       const coupling::StaticHandshake<dim> both(network<dim>(part, material), *solid, {handshake});

@@ -42,7 +42,7 @@ namespace
   {
     HeldPair     pair(dimension, law, 0.7);
     const double strain = 1e-3; // ten times and more of what any of them bears
-    pair.lead(opens ? strain * 2 * R : 0, opens ? 0 : strain * 2 * R, 0, 4000);
+    pair.drive(opens ? strain * 2 * R : 0, opens ? 0 : strain * 2 * R, 0, 4000);
     pair.specimen.advance(4000);
     return pair.specimen.breaks();
   }
@@ -73,7 +73,7 @@ TEST_CASE("links of a law that does not report how they break are logged as dama
   for (const dem::Break &b : found)
     CHECK(b.mode == dem::BreakMode::gradual);
   HeldPair pair(3, cluster::concrete());
-  pair.lead(0.1 * R, 0, 0, 4000);
+  pair.drive(0.1 * R, 0, 0, 4000);
   pair.specimen.advance(4000);
   REQUIRE(pair.specimen.breaks().size() == 1);
   CHECK(pair.specimen.logged_breaks() == 1);
@@ -84,7 +84,7 @@ TEST_CASE("elements of a flat joint are logged one by one, from the side that op
   const auto   law  = mortar(4);
   const double unit = law.tensile_strength * 2 * R / law.effective_modulus / R; // sigma_c/(k_n R)
   HeldPair     pair(2, law);
-  pair.lead(0, 0, 5 * unit, 3000);
+  pair.drive(0, 0, 5 * unit, 3000);
   pair.specimen.advance(3000);
   const auto bent = pair.specimen.breaks();
   REQUIRE(bent.size() == 2); // about a fixed middle two of four elements open
@@ -104,7 +104,7 @@ TEST_CASE("elements of a flat joint are logged one by one, from the side that op
   CHECK(pair.specimen.counts().broken == 0); // the joint still holds by the others
 
   // Pulled on, the rest breaks; each element stands in the log once.
-  pair.lead(1e-3 * R, 0, 0, 3000);
+  pair.drive(1e-3 * R, 0, 0, 3000);
   pair.specimen.advance(3000);
   const auto all = pair.specimen.breaks();
   REQUIRE(all.size() == 4);
@@ -148,7 +148,7 @@ TEST_CASE("log of what broke goes on after a restart, without a second entry of 
   const auto made = [] {
     HeldPair     pair(2, mortar(4));
     const double unit = mortar().tensile_strength * 2 * R / mortar().effective_modulus / R;
-    pair.lead(0, 0, 5 * unit, 3000);
+    pair.drive(0, 0, 5 * unit, 3000);
     return pair;
   };
   HeldPair whole = made();
@@ -188,7 +188,7 @@ TEST_CASE("forces and moments of an isolated pair balance in every state: bonded
         for (const auto &[opening, slip, bend] :
              {std::array<double, 3>{-0.3, 0.1, 0.1}, {0.2, 0.1, 3}, {-0.8, 40, 1}, {-0.2, -20, -2}})
           {
-            pair.lead(opening * unit, slip * unit, bend * unit / R, 1000);
+            pair.drive(opening * unit, slip * unit, bend * unit / R, 1000);
             for (int i = 0; i < 1000; i += 50)
               {
                 pair.specimen.advance(50);

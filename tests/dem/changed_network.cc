@@ -14,7 +14,7 @@ namespace
 {
   constexpr double spacing = 1e-3;
 
-  /** A row of particles, its first held, its last led. */
+  /** A row of particles, its first held, its last driven. */
   dem::LoadedNetwork row(const std::size_t particles)
   {
     dem::Packing packing;
@@ -31,10 +31,10 @@ namespace
       {
         std::vector<std::size_t> all(particles);
         std::iota(all.begin(), all.end(), 0u);
-        dem::lead(loaded, all, across, 0);
+        dem::drive(loaded, all, across, 0);
       }
-    dem::lead(loaded, {0}, 0, 0);
-    dem::lead(loaded, {particles - 1}, 0, 1);
+    dem::drive(loaded, {0}, 0, 0);
+    dem::drive(loaded, {particles - 1}, 0, 1);
     return loaded;
   }
 

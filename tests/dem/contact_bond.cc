@@ -38,7 +38,7 @@ TEST_CASE("contact bond in tension breaks at its strength and then carries nothi
         const double opening  = law.tensile_strength / law.effective_modulus * 2 * R;
         HeldPair     pair(dimension, law, angle);
         const int    steps = 1000;
-        pair.lead(opening, 0, 0, steps);
+        pair.drive(opening, 0, 0, steps);
         pair.specimen.advance(steps / 2 + 1);
         CHECK(pair.pull() == Approx(0.5 * strength).epsilon(1e-7));
         const Peak peak = break_it(pair, steps + 2);
@@ -60,10 +60,10 @@ TEST_CASE("contact bond in shear breaks at its cohesion, whatever presses it, an
         HeldPair   pair(dimension, law);
         if (pressure > 0)
           {
-            pair.lead(-pressure * 2 * R / law.effective_modulus, 0, 0, 1000);
+            pair.drive(-pressure * 2 * R / law.effective_modulus, 0, 0, 1000);
             pair.specimen.advance(1000);
           }
-        pair.lead(0, 1.2 * law.cohesion * 2 * R / (law.effective_modulus / law.stiffness_ratio), 0, 2000);
+        pair.drive(0, 1.2 * law.cohesion * 2 * R / (law.effective_modulus / law.stiffness_ratio), 0, 2000);
         double peak = 0;
         for (int i = 0; i < 2000 && pair.intact() > 0; ++i)
           {

@@ -1,4 +1,4 @@
-// Balance of walls and led surfaces: momentum, power, energy, servo, threads, restart, refusals.
+// Balance of walls and driven surfaces: momentum, power, energy, servo, threads, restart, refusals.
 #include "base/errors.h"
 #include "closed_system.h"
 #include "facets_fixture.h"
@@ -35,7 +35,7 @@ namespace
 
   double bumps(const double x, const double y) { return 0.3 * R * std::sin(x / R) * std::cos(0.7 * y / R); }
 
-  /** A cloud flies into a bumpy patch whose vertices somebody else leads, each on its own. */
+  /** A cloud flies into a bumpy patch whose vertices somebody else drives, each on its own. */
   struct Clash
   {
     Clash(const double friction, const double factor, const int side = 6)
@@ -53,7 +53,7 @@ namespace
       return p;
     }
     /** As though it were the boundary of a body that shakes. */
-    void lead(const double amount = 0.1)
+    void drive(const double amount = 0.1)
     {
       const double          t = specimen.time();
       std::vector<Vector3d> velocity;
@@ -66,7 +66,7 @@ namespace
     {
       while (specimen.time() < time)
         {
-          lead();
+          drive();
           specimen.advance(1);
           most = std::max(most, specimen.surfaces().contacts().size());
         }
@@ -86,7 +86,7 @@ TEST_CASE("vertices get what spheres get, turned round: force, moment and power 
   double worst_force = 0, worst_moment = 0, worst_power = 0;
   while (clash.specimen.time() < 0.03)
     {
-      clash.lead();
+      clash.drive();
       clash.specimen.partners().find_surface_forces();
       const dem::Surface &s     = clash.specimen.surfaces().at(clash.surface);
       Vector3d            force = Vector3d::Zero(), moment = Vector3d::Zero();
@@ -285,7 +285,7 @@ TEST_CASE("spheres on surfaces move to the same bits with 1 and 2 threads, as a 
   }
   Clash               resumed(0.4, 0.2, 12);
   MemoryState::Reader reader(state);
-  resumed.lead();
+  resumed.drive();
   resumed.specimen.visit_state(reader);
   two.until(0.012);
   copy.until(0.012);

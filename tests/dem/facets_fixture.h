@@ -76,11 +76,11 @@ namespace walls
     return mesh;
   }
 
-  /** A particle led along a path. */
-  class Led
+  /** A particle driven along a path. */
+  class Driven
   {
   public:
-    Led(dem::Specimen &specimen, const std::size_t particle)
+    Driven(dem::Specimen &specimen, const std::size_t particle)
       : body(specimen)
       , number(particle)
     {

@@ -173,11 +173,11 @@ TEST_CASE("what is glued is torn off at the strength of the glue, and is an ordi
   dem::Specimen ball(balls({{0, 0, R}}, R), loose(), contact());
   const auto    face =
     ball.surfaces().add(glued(wall(patch(4 * R, 3), 0.3), 1e-6, glue_of(mortar(strength), ball.parameters().physics)));
-  Led    led(ball, 0);
+  Driven driven(ball, 0);
   double most = 0;
   for (int n = 1; n <= 400; ++n)
     {
-      led.to({0, 0, R + 5e-5 * R * n});
+      driven.to({0, 0, R + 5e-5 * R * n});
       most = std::max(most, ball.surfaces().at(face).total_force.z());
       if (n == 100)
         {
@@ -212,8 +212,8 @@ TEST_CASE("what is glued is torn off at the strength of the glue, and is an ordi
   // Released: what the bond held in that moment.
   CHECK(ball.energy().released == Approx(0.5 * strength * area * strength / 1e8 * R).epsilon(0.02));
   for (int n = 400; n >= -200; --n)
-    led.to({0, 0, R + 5e-5 * R * n});
-  led.to({0, 0, R - 0.01 * R});
+    driven.to({0, 0, R + 5e-5 * R * n});
+  driven.to({0, 0, R - 0.01 * R});
   CHECK(ball.surfaces().contacts().size() == 1);
   CHECK(ball.surfaces().at(face).total_force.z() == Approx(-pi * R * 1e7 * 0.01 * R).epsilon(1e-9));
   CHECK(ball.energy().balance_error() < 0.02);
@@ -224,9 +224,9 @@ TEST_CASE("glue that is sheared off, and glue of several elements, is logged as 
 {
   dem::Specimen ball(balls({{0, 0, R}}, R), loose(), contact());
   ball.surfaces().add(glued(wall(patch(4 * R, 3), 0.3), 1e-6, glue_of(mortar(1e6), ball.parameters().physics)));
-  Led led(ball, 0);
+  Driven driven(ball, 0);
   for (int n = 1; n <= 4000 && ball.logged_breaks() == 0; ++n)
-    led.to({5e-5 * R * n, 0, R});
+    driven.to({5e-5 * R * n, 0, R});
   REQUIRE(ball.logged_breaks() == 1);
   CHECK(ball.breaks().front().mode == dem::BreakMode::shear);
   // A disc whose joint with a line opens on one side: element after element, each with its place along the line.

@@ -145,7 +145,7 @@ TEST_CASE("a ball that is driven over an edge and over a corner at the same dist
       dem::Specimen ball(balls({start}, R), loose(), contact());
       const auto    block = dem::box({-1, corner ? 0.0 : -1.0, -1}, {0, 1, 0}, {true, true, true, true, true, true});
       ball.surfaces().add(wall(block));
-      Led          led(ball, 0);
+      Driven       driven(ball, 0);
       const double way   = corner ? 0.0 : start.y();
       const int    n     = 20000;
       double       least = 1e9, largest = 0, turned = 0;
@@ -164,7 +164,7 @@ TEST_CASE("a ball that is driven over an edge and over a corner at the same dist
             }
           if (corner)
             place.y() = t < top ? 0.0 : -0.0;
-          led.to(place);
+          driven.to(place);
           if (k < 2)
             continue;
           const Vector3d force = -ball.surfaces().at(0).total_force;

@@ -48,7 +48,7 @@ TEST_CASE("no sphere that touches a facet is missed, whatever moves and whatever
   dem::SpecimenParameters p = loose();
   p.physics.contacts        = false; // they pass through each other: the walls are what is looked at
   dem::Specimen specimen(packing, p, contact(0, 1e4));
-  // A net of small facets that is led, a large plate that turns, a mast of slivers, a box around all.
+  // A net of small facets that is driven, a large plate that turns, a mast of slivers, a box around all.
   const auto net = specimen.surfaces().add(
     wall(patch(0.35, 20, [](double x, double) { return 0.03 * std::sin(20 * x) - 0.36; }), 0, 1e5));
   const auto plate = specimen.surfaces().add(wall(dem::plate({0.45, -0.3, -0.3}, {0.1, 0.6, 0}, {0, 0, 0.6}), 0, 1e5));

@@ -39,7 +39,7 @@ TEST_CASE("flat joint in tension breaks in all elements at once at its strength 
         const double opening  = law.tensile_strength / law.effective_modulus * 2 * R;
         HeldPair     pair(dimension, law, angle);
         const int    steps = 1000;
-        pair.lead(opening, 0, 0, steps);
+        pair.drive(opening, 0, 0, steps);
         pair.specimen.advance(steps / 2 + 1);
         CHECK(pair.pull() == Approx(0.5 * strength).epsilon(1e-7));
         const Peak peak = break_it(pair, steps + 2);
@@ -62,7 +62,7 @@ TEST_CASE("flat joint bent about its middle cracks at the closed form, and goes 
       const double unit  = law.tensile_strength * 2 * R / law.effective_modulus / R; // sigma_c/(k_n R)
       const double first = unit / (1 - 1 / elements);
       HeldPair     pair(2, law, 0.4);
-      pair.lead(0, 0, first, 1000);
+      pair.drive(0, 0, first, 1000);
       double largest = 0;
       for (int i = 0; i < 1010; ++i)
         {
@@ -77,7 +77,7 @@ TEST_CASE("flat joint bent about its middle cracks at the closed form, and goes 
   for (const auto &[turn, force, moment] : {std::array<double, 3>{1.6, 174.0, 0.17400}, {3.0, 326.25, 0.32625}})
     {
       HeldPair pair(2, law);
-      pair.lead(0, 0, turn * unit, 3000);
+      pair.drive(0, 0, turn * unit, 3000);
       pair.specimen.advance(3001);
       CHECK(pair.pull() == Approx(-force).epsilon(1e-6));
       CHECK(std::abs(pair.moment()) == Approx(moment).epsilon(1e-6));
@@ -97,7 +97,7 @@ TEST_CASE("flat joint sheared at a constant normal stress breaks at c - sigma ta
       const double length = 2 * R * (1 + normal / law.effective_modulus), area = section(2);
       const double slip = 1.2 * peak / (law.effective_modulus / law.stiffness_ratio) * 2 * R;
       HeldPair     pair(2, law);
-      pair.lead(length - 2 * R, 0, 0, 100);
+      pair.drive(length - 2 * R, 0, 0, 100);
       pair.specimen.advance(101);
       // On a circle about the first disc: the distance stays.
       double largest = 0, last = 0;

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-/** One flat joint of mortar between particles of one millimetre, led by hand. */
+/** One flat joint of mortar between particles of one millimetre, driven by hand. */
 namespace held_joint
 {
   using namespace held_pair;
@@ -30,7 +30,7 @@ namespace held_joint
     return {strain, 2 * R * (1 + strain), 2 * R, 2 * R * thickness};
   }
 
-  /** One joint between equal discs or spheres, made at the distance 2 R, led by hand. */
+  /** One joint between equal discs or spheres, made at the distance 2 R, driven by hand. */
   struct Joint
   {
     Joint(const dem::FlatJointParameters &p, const int dimension, const std::int64_t number = 1)

@@ -8,7 +8,7 @@
 #include <array>
 #include <cmath>
 
-/** Two particles of one millimetre, held and led, with one bond between them. */
+/** Two particles of one millimetre, held and driven, with one bond between them. */
 namespace held_pair
 {
   constexpr double pi = 3.14159265358979323846;
@@ -31,7 +31,7 @@ namespace held_pair
     return dimension == 2 ? 2.0 / 3 * thickness * R * R * R : pi * R * R * R * R / 4;
   }
 
-  /** Two touching particles, both held: the second is led, the first turns against it. */
+  /** Two touching particles, both held: the second is driven, the first turns against it. */
   struct HeldPair
   {
     HeldPair(const int dimension, const dem::LinkMaterials &law, const double direction_angle = 0)
@@ -55,7 +55,7 @@ namespace held_pair
     }
 
     /** Lead the pair so that it would open (slip, bend) by so much in that many steps. */
-    void lead(const double opening, const double slip, const double bend, const int steps)
+    void drive(const double opening, const double slip, const double bend, const int steps)
     {
       const double          time = steps * specimen.time_step();
       const Eigen::Vector3d across(-along.y(), along.x(), 0);

@@ -111,7 +111,7 @@ TEST_CASE("force between spheres of two sizes and materials is that of Hertz", "
   dem::Packing packing{{{0, 0, 0}, {0, 0, r + small}}, {r, small}, {}};
   packing.material = {0, 1};
   dem::Specimen specimen(packing, fine(0.1), both);
-  walls::Led    low(specimen, 0), high(specimen, 1);
+  walls::Driven low(specimen, 0), high(specimen, 1);
   for (const double overlap : {1e-6, 1e-5, 1e-4})
     {
       high.to({0, 0, r + small - overlap});
@@ -177,9 +177,9 @@ TEST_CASE("shear under constant pressure is as stiff as Mindlin has it, slides a
   const double     a = std::sqrt(r * overlap), limit = friction * hertz(normal, r, overlap);
   dem::Specimen    specimen(walls::balls({{0, 0, r - overlap}}, r), fine(0.01), glass(friction));
   specimen.surfaces().add({"floor", dem::FacetMesh::plane({0, 0, 0}, {0, 0, 1}), glass(friction)});
-  walls::Led ball(specimen, 0);
-  double     x    = 0;
-  const auto move = [&](const double to) {
+  walls::Driven ball(specimen, 0);
+  double        x    = 0;
+  const auto    move = [&](const double to) {
     while (std::abs(to - x) > 0.5 * step)
       ball.to({x += to > x ? step : -step, 0, r - overlap});
     ball.to({x, 0, r - overlap});
@@ -199,9 +199,9 @@ TEST_CASE("shear force shrinks with the contact and stays while it grows", "[dem
   constexpr double overlap = 2e-5;
   dem::Specimen    specimen(walls::balls({{0, 0, r - overlap}}, r), fine(0.01), glass(10));
   specimen.surfaces().add({"floor", dem::FacetMesh::plane({0, 0, 0}, {0, 0, 1}), glass(10)});
-  walls::Led ball(specimen, 0);
-  double     x = 0, z = r - overlap;
-  const auto shear_force = [&] {
+  walls::Driven ball(specimen, 0);
+  double        x = 0, z = r - overlap;
+  const auto    shear_force = [&] {
     ball.to({x, 0, z});
     return specimen.grips().reaction(0).x();
   };

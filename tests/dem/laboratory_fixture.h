@@ -70,7 +70,7 @@ namespace laboratory
     return p;
   }
 
-  /** A specimen in a test, led until it ends. */
+  /** A specimen in a test, driven until it ends. */
   struct Run
   {
     Run(const dem::Packing            &packing,
@@ -85,14 +85,14 @@ namespace laboratory
     {
       if (test.finished())
         return;
-      const auto lead = [this] {
+      const auto drive = [this] {
         body.partners().clear_forces();
-        test.lead();
+        test.drive();
       };
-      lead();
+      drive();
       body.advance(steps, [&] {
         test.observe();
-        lead();
+        drive();
         return !test.finished();
       });
     }

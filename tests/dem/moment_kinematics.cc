@@ -49,7 +49,7 @@ namespace
   };
 
   /** A smooth motion over one unit of time in so many steps: the branch bends, stretches and turns, the ends spin differently. */
-  Pair led(const int steps)
+  Pair driven(const int steps)
   {
     const auto place = [](const double t) {
       return Vector3d((1 + 0.1 * std::sin(3 * t)) * std::cos(t), std::sin(t) + 0.2 * t * t,
@@ -123,7 +123,7 @@ TEST_CASE("vectors of a link with moments turn by the mean twist of its ends, an
     pair.step(pair.branch, Vector3d(-0.015, 0, 0), Vector3d(-0.005, 0, 0));
   CHECK((pair.shear - Vector3d(0, 1e-4, 0)).norm() < 1e-4 * 100 * std::pow(0.015, 3)); // of third order in the step
   CHECK(pair.twist == Approx(1).epsilon(1e-12));
-  const Pair moved = led(50);
+  const Pair moved = driven(50);
   CHECK(std::abs(moved.branch.dot(moved.shear)) < 1e-15);
   CHECK(std::abs(moved.branch.dot(moved.bending)) < 1e-15);
 }
@@ -131,10 +131,10 @@ TEST_CASE("vectors of a link with moments turn by the mean twist of its ends, an
 TEST_CASE("a link with moments shears as one without, to second order in the step", "[dem]")
 {
   double     apart[2], error[2];
-  const Pair exact = led(12800);
+  const Pair exact = driven(12800);
   for (int halved = 0; halved < 2; ++halved)
     {
-      const Pair pair = led(100 << halved);
+      const Pair pair = driven(100 << halved);
       apart[halved]   = (pair.shear - pair.alone).norm();
       error[halved]   = (pair.shear - exact.shear).norm() + (pair.bending - exact.bending).norm();
     }

@@ -74,7 +74,7 @@ namespace
     p.strain_step = p.end_strain = 1e-6;
     dem::QuasiStaticPath path(loaded, law, p);
     const auto          &point = path.advance();
-    return point.stress[loaded.led] / point.strain[loaded.led];
+    return point.stress[loaded.driven] / point.strain[loaded.driven];
   }
 
   /** Of the stiffness of a periodic network that is isotropic in the mean. */
@@ -145,11 +145,11 @@ namespace
   {
     dem::Specimen body(packing, mortar_specimen(), joint_of_four_sizes());
     dem::LabTest  test(body, crushing());
-    test.lead();
+    test.drive();
     body.advance(1000000, [&] {
       test.observe();
       body.partners().clear_forces();
-      test.lead();
+      test.drive();
       return !test.finished();
     });
     REQUIRE(test.figures().strength.found);

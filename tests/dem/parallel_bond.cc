@@ -40,7 +40,7 @@ TEST_CASE("parallel bond in tension breaks at its strength and then carries noth
         const double opening  = law.tensile_strength * 2 * R / law.effective_modulus; // 5.58767e-8 m
         HeldPair     pair(dimension, law, angle);
         const int    steps = 1000;
-        pair.lead(opening, 0, 0, steps);
+        pair.drive(opening, 0, 0, steps);
         pair.specimen.advance(steps / 2 + 1); // forces are those of where the step began
         // The linear contact does not pull: the bond alone, E* A / l.
         CHECK(pair.pull() == Approx(0.5 * strength).epsilon(1e-7));
@@ -64,7 +64,7 @@ TEST_CASE("parallel bond in bending breaks at sigma_c I/R, without moment contri
       const double moment = law.tensile_strength * second_moment(dimension) / R;
       const double angle  = law.tensile_strength * 2 * R / law.effective_modulus / R;
       HeldPair     pair(dimension, law, 0.4);
-      pair.lead(0, 0, angle, 1000);
+      pair.drive(0, 0, angle, 1000);
       const Peak peak = break_it(pair, 1100);
       CHECK(peak.moment <= moment * (1 + 1e-6));
       CHECK(peak.moment >= moment * (1 - 2e-3));
@@ -74,7 +74,7 @@ TEST_CASE("parallel bond in bending breaks at sigma_c I/R, without moment contri
       auto blind                = law;
       blind.moment_contribution = 0;
       HeldPair unbreakable(dimension, blind);
-      unbreakable.lead(0, 0, 3 * angle, 1000);
+      unbreakable.drive(0, 0, 3 * angle, 1000);
       unbreakable.specimen.advance(1000);
       CHECK(unbreakable.intact() == 1);
       CHECK(std::abs(unbreakable.moment()) == Approx(3 * moment).epsilon(2e-3));
@@ -105,11 +105,11 @@ TEST_CASE("parallel bond in shear breaks at c - sigma tan phi and then slides at
       // Press first: bond and linear contact share the approach, equally stiff.
       if (pressure > 0)
         {
-          pair.lead(-pressure * 2 * R / law.effective_modulus, 0, 0, 1000);
+          pair.drive(-pressure * 2 * R / law.effective_modulus, 0, 0, 1000);
           pair.specimen.advance(1000);
         }
       const double limit = law.cohesion + pressure * std::tan(law.friction_angle * pi / 180);
-      pair.lead(0, 1.2 * limit * 2 * R / (law.effective_modulus / law.stiffness_ratio), 0, 2000);
+      pair.drive(0, 1.2 * limit * 2 * R / (law.effective_modulus / law.stiffness_ratio), 0, 2000);
       double peak = 0, normal = 0;
       for (int i = 0; i < 2000 && pair.intact() > 0; ++i)
         {
@@ -150,7 +150,7 @@ TEST_CASE("parallel bond under eccentric tension breaks at sigma_c A/(1 + 3 e/R)
       // M = P e: bend/opening = e A/I
       const double opening = load / section(dimension) * 2 * R / law.effective_modulus;
       HeldPair     pair(dimension, law);
-      pair.lead(opening, 0, opening * e * section(dimension) / second_moment(dimension), 2000);
+      pair.drive(opening, 0, opening * e * section(dimension) / second_moment(dimension), 2000);
       const Peak peak = break_it(pair, 2100);
       CHECK(peak.pull <= load * (1 + 1e-4)); // the branch turns a little with the bond
       CHECK(peak.pull >= load * (1 - 2e-3));

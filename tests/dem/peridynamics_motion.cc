@@ -103,14 +103,14 @@ TEST_CASE("a wave runs along a rod at sqrt(E / rho)", "[dem]")
 
 TEST_CASE("energy of an unbroken body closes to rounding in linear kinematics, held ends that move included", "[dem]")
 {
-  Case                           c     = heavy(pulled_plate(40, Layout::cell_centred));
-  Bonds                          bonds = c.bonds();
-  Loads                          loads = sudden(c, bonds);
-  const std::vector<std::size_t> led   = outer_nodes(bonds.grid(), "left");
-  for (const std::size_t i : led)
+  Case                           c      = heavy(pulled_plate(40, Layout::cell_centred));
+  Bonds                          bonds  = c.bonds();
+  Loads                          loads  = sudden(c, bonds);
+  const std::vector<std::size_t> driven = outer_nodes(bonds.grid(), "left");
+  for (const std::size_t i : driven)
     loads.held[i] = 1;
-  loads.displacements = [led](const double t, Field &u) {
-    for (const std::size_t i : led)
+  loads.displacements = [driven](const double t, Field &u) {
+    for (const std::size_t i : driven)
       u.c[0][i] = -3.0 * t + 1e4 * t * t;
   };
   Motion motion(bonds, loads, Kinematics::linear, bonds.grid().field(), 0.9 * Motion::stable_step(bonds));

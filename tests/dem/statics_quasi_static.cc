@@ -153,7 +153,7 @@ TEST_CASE("relaxation of links: a chain driven past its snap-back falls to the c
   p.tolerance = 1e-9;
   // Past the peak, (0.8 * 7 + 1)/8 eps_0, there is equilibrium at this strain only far down the softening branch.
   const double strain = 0.83e-4;
-  const auto   report = dem::relax_links(loaded, links, motion, strain * base::Vector6::Unit(loaded.led), p);
+  const auto   report = dem::relax_links(loaded, links, motion, strain * base::Vector6::Unit(loaded.driven), p);
   REQUIRE(report.converged);
   double low = 2.872e-4, high = 100e-4; // strain of the chain grows with kappa here
   for (int i = 0; i < 100; ++i)
@@ -403,12 +403,12 @@ TEST_CASE("a path of particles that are all driven is that of their links", "[de
   double most = 0;
   for (const dem::QuasiStaticPoint &point : path)
     {
-      const double strain = point.strain[loaded.led], stress = point.stress[loaded.led];
+      const double strain = point.strain[loaded.driven], stress = point.stress[loaded.driven];
       if (strain > 0 && strain <= law.limit_elastic_strain)
-        CHECK(stress / strain == Approx(path[1].stress[loaded.led] / path[1].strain[loaded.led]).epsilon(1e-9));
+        CHECK(stress / strain == Approx(path[1].stress[loaded.driven] / path[1].strain[loaded.driven]).epsilon(1e-9));
       most = std::max(most, stress);
     }
   CHECK(most ==
-        Approx(path[1].stress[loaded.led] / path[1].strain[loaded.led] * law.limit_elastic_strain).epsilon(1e-3));
-  CHECK(path.back().stress[loaded.led] < 0.99 * most); // it softens
+        Approx(path[1].stress[loaded.driven] / path[1].strain[loaded.driven] * law.limit_elastic_strain).epsilon(1e-3));
+  CHECK(path.back().stress[loaded.driven] < 0.99 * most); // it softens
 }

@@ -10,19 +10,19 @@ namespace
 {
   using Eigen::MatrixXd, Eigen::VectorXd;
 
-  constexpr std::size_t slaved = 40, joints = 5;
+  constexpr std::size_t constrained = 40, joints = 5;
 
   /** Each of the first carriers moves along each axis as the mean of three of the last ones, with weights of its own. */
   std::vector<dem::Tie> interpolation()
   {
     dem::UniformRandom    random(3);
     std::vector<dem::Tie> ties;
-    for (std::size_t i = 0; i < slaved; ++i)
+    for (std::size_t i = 0; i < constrained; ++i)
       for (int axis = 0; axis < 3; ++axis)
         {
           dem::Tie tie = {{i, axis, 1.0}};
           for (std::size_t k = 0; k < 3; ++k)
-            tie.push_back({slaved + (i + k) % joints, axis, -0.1 - random()});
+            tie.push_back({constrained + (i + k) % joints, axis, -0.1 - random()});
           ties.push_back(tie);
         }
     return ties;
@@ -41,12 +41,12 @@ TEST_CASE(
   "ties: conditions with a motion of their own are solved as the whole matrix is, and forces lose what ties bear",
   "[dem][statics]")
 {
-  const std::vector<dem::HeldMotions> free(slaved + joints, 0);
+  const std::vector<dem::HeldMotions> free(constrained + joints, 0);
   const dem::Ties                     ties(interpolation(), free, 1.0);
   const auto                         &T = ties.rows();
-  REQUIRE(T.rows() == 3 * slaved);
+  REQUIRE(T.rows() == 3 * constrained);
   std::vector<Eigen::Index> own; // of each row
-  for (std::size_t i = 0; i < slaved; ++i)
+  for (std::size_t i = 0; i < constrained; ++i)
     for (int axis = 0; axis < 3; ++axis)
       own.push_back(static_cast<Eigen::Index>(dem::motions * i) + axis);
 
@@ -55,7 +55,7 @@ TEST_CASE(
   CHECK(difference(dem::TieFactor(T, weights, own).solve(right), exact) < 1e-10);
   CHECK(difference(dem::TieFactor(T, weights, {}).solve(right), exact) < 1e-10);
 
-  dem::CarrierMotions force(dem::motions, static_cast<Eigen::Index>(slaved + joints));
+  dem::CarrierMotions force(dem::motions, static_cast<Eigen::Index>(constrained + joints));
   Eigen::Map<VectorXd>(force.data(), force.size()) = numbers(force.size(), -0.5);
   const VectorXd before                            = Eigen::Map<VectorXd>(force.data(), force.size());
   const VectorXd borne = T.transpose() * MatrixXd(T * T.transpose()).ldlt().solve(VectorXd(T * before));

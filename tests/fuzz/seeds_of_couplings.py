@@ -258,7 +258,7 @@ subsection Waves
   set Density        = 2400
   set Element size   = 4
   set Overlap        = 4
-  set Methods        = absorber, slaved
+  set Methods        = absorber, constrained
   set Wavelengths    = 0.08, 0.16
   set Layer          = 2
 end

@@ -15,7 +15,7 @@ namespace
   /** A way of the head of the block, corner by corner, each leg in so many steps: its displacement over the length of the block. */
   using Path = std::vector<std::pair<Eigen::Vector3d, int>>;
 
-  /** A block of three elements, held at its foot, whose head is led along a path. The middle one may be weaker. */
+  /** A block of three elements, held at its foot, whose head is driven along a path. The middle one may be weaker. */
   struct LedBlock
   {
     LedBlock(std::unique_ptr<coupling::CellPoints> ends, std::unique_ptr<coupling::CellPoints> middle)
@@ -46,7 +46,7 @@ namespace
       };
     }
 
-    void lead(const Path &path)
+    void drive(const Path &path)
     {
       for (const auto &[target, steps] : path)
         {
@@ -99,9 +99,9 @@ TEST_CASE("S17: an elastic path of 1000 steps with reversal leaves no trace in a
     {
       const auto what = cell(from_start, only_solved);
       LedBlock   direct(points({what}), points({what})), around(points({what}), points({what}));
-      direct.lead({{0.5 * way, 1}});
+      direct.drive({{0.5 * way, 1}});
       // There, aside so that the path encloses an area, past the start and back: 1000 steps.
-      around.lead({{way, 300}, {way + aside, 200}, {-0.3 * way, 300}, {0.5 * way, 200}});
+      around.drive({{way, 300}, {way + aside, 200}, {-0.3 * way, 300}, {0.5 * way, 200}});
       CHECK(around.cells("0").promoted() == (from_start ? 16 : 0));
       CHECK(around.cells("1").promoted() == (from_start ? 8 : 0));
       const fem::Dissipation &lost = around.solver->energy().dissipated;
@@ -116,11 +116,11 @@ TEST_CASE("S17: after the path a structure of cells is pulled until one localise
 {
   LedBlock block(points({cell(false, false)}, coupling::Localised::stop),
                  points({cell(false, false, 0.8e-4)}, coupling::Localised::stop));
-  block.lead({{way, 20}, {-0.3 * way, 20}, {rest, 10}});
+  block.drive({{way, 20}, {-0.3 * way, 20}, {rest, 10}});
   double peak = 0, last = 0;
   for (int step = 0; step < 300 && block.solid.end_of_validity().empty(); ++step)
     {
-      block.lead({{block.head + Eigen::Vector3d(1e-6, 0, 0), 1}});
+      block.drive({{block.head + Eigen::Vector3d(1e-6, 0, 0), 1}});
       last = block.solver->reaction("1")[0];
       peak = std::max(peak, last);
     }

@@ -140,25 +140,25 @@ TEST_CASE("uniaxial test resumed past the peak draws the same curve (S13)", "[st
   loading.grips.thickness    = 0.5e-3;
   loading.stop_strain        = 5e-3;
   const dem::Packing packing = cluster::cubic_lattice(4, 4, 6, 1e-3);
-  const auto         lead    = [](dem::UniaxialTest &test, const int samples) {
+  const auto         drive   = [](dem::UniaxialTest &test, const int samples) {
     for (int n = 0; n < samples; ++n)
       test.advance(20);
   };
   dem::Specimen     body(packing, p, cluster::concrete());
   dem::UniaxialTest test(body, loading);
-  lead(test, 120);
+  drive(test, 120);
   MemoryState         memory;
   MemoryState::Writer writer(memory);
   body.visit_state(writer);
   test.visit_state(writer);
-  lead(test, 60);
+  drive(test, 60);
 
   dem::Specimen       other_body(packing, p, cluster::concrete());
   dem::UniaxialTest   other(other_body, loading);
   MemoryState::Reader reader(memory);
   other_body.visit_state(reader);
   other.visit_state(reader);
-  lead(other, 60);
+  drive(other, 60);
   REQUIRE(test.curve().size() == 180);
   REQUIRE(other.curve().size() == 180);
   for (std::size_t i = 0; i < 180; ++i)

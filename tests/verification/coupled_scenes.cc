@@ -50,7 +50,7 @@ TEST_CASE("Spheres thrown at a cantilever: the published example's momentum, ene
     std::find_if(second.begin(), second.end(), [](const double v) { return v < 4.999; }) - second.begin();
   CHECK(tip[static_cast<std::size_t>(met)] > 0.02); // the gap between its track and the column as it stands
   CHECK(*std::max_element(tip.begin(), tip.end()) > 1);
-  CHECK(std::fabs(found.summary["energy"]["made_by_couplings"]["beam"].get<double>()) < 1e-10 * start);
+  CHECK(std::fabs(found.summary["energy"]["spurious_of_couplings"]["beam"].get<double>()) < 1e-10 * start);
 }
 
 namespace
@@ -136,7 +136,7 @@ TEST_CASE("Rough platens raise the strength of a cube, smooth ones find the stre
     {
       CHECK(run->summary["energy"]["balance_error"].get<double>() < 1e-3);
       for (const char *made : {"lower", "upper"})
-        CHECK(std::fabs(run->summary["energy"]["made_by_couplings"][made].get<double>()) < 1e-6);
+        CHECK(std::fabs(run->summary["energy"]["spurious_of_couplings"][made].get<double>()) < 1e-6);
       // Friction holds the faces sideways: without it nothing is there but the push.
       const auto &series  = run->series;
       const auto  middle  = series.rows() / 2;

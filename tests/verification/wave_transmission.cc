@@ -29,7 +29,7 @@ TEST_CASE("wave transmission: elements that begin at a particle reflect as the c
   // A packet has more than one wavelength: 0.01 where the form is not steep.
   for (const Known &known : std::vector<Known>{{4, 20, 0.0138}, {8, 32, 0.0537}, {8, 40, 0.0151}, {2, 12, 0.0037}})
     {
-      coupling::WaveCase wave = chain("slaved", known.wavelength);
+      coupling::WaveCase wave = chain("constrained", known.wavelength);
       wave.element            = known.element;
       wave.overlap            = 0;
       wave.step_factor        = 0.1;
@@ -93,7 +93,7 @@ namespace
   }
 } // namespace
 
-TEST_CASE("wave transmission: the table of a row of particles, slaved with double stiffness",
+TEST_CASE("wave transmission: the table of a row of particles, constrained with double stiffness",
           "[verification][volume][slow]")
 {
   check_table({{8, 1, 0},

@@ -1,6 +1,5 @@
 #include "apps/runs/continuum/contacts.h"
 #include "apps/runs/continuum/motion_analysis.h"
-#include "apps/text/name_list.h"
 #include "coupling/contact/contact_motion.h"
 
 namespace apps
@@ -18,7 +17,7 @@ namespace apps
         : MotionAnalysis<dim>(moved, what)
         , model(what)
         , participant(moved, solver)
-        , bodies(moved, solver, participant, names_in(what.motion.rigid))
+        , bodies(moved, solver, participant, what.motion.rigid)
         , contacts(what.contacts, bodies.contacts())
       {
         this->count_steps(bodies.step());

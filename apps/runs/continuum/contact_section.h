@@ -12,7 +12,7 @@ namespace apps
   struct ContactSection
   {
     std::string                             name;
-    std::string                             bodies; ///< names of materials, separated by commas; "": all
+    std::vector<std::string>                bodies; ///< names of materials; none: all
     coupling::bodies::BodyContactParameters law;
     double                                  energy_limit = 0.01; ///< that it may make, over the largest energy
   };

@@ -2,7 +2,6 @@
 
 #include "apps/results/run_work.h"
 #include "apps/runs/continuum/probes.h"
-#include "apps/text/name_list.h"
 
 #include <fmt/format.h>
 
@@ -16,7 +15,7 @@ namespace apps
     for (const ContactSection &contact : section.contacts)
       try
         {
-          given.add({contact.name, names_in(contact.bodies), contact.law});
+          given.add({contact.name, contact.bodies, contact.law});
         }
       catch (const base::InputError &refusal)
         {
@@ -68,7 +67,7 @@ namespace apps
         const std::string name = column_name(contact->name());
         all.push_back({name + "_pairs", ""});
         all.push_back({name + "_overlap", "m^3"});
-        for (const char *energy : {"_stored", "_dissipated", "_made"})
+        for (const char *energy : {"_stored", "_dissipated", "_spurious"})
           all.push_back({name + energy, "J"});
       }
     return all;
@@ -82,7 +81,7 @@ namespace apps
       {
         const coupling::ContactBalance &b = contact->balance();
         all.insert(all.end(), {static_cast<double>(contact->contacts().touching()), contact->contacts().overlap(),
-                               b.energy.normal + b.energy.shear, b.energy.dissipated, b.made()});
+                               b.energy.normal + b.energy.shear, b.energy.dissipated, b.spurious()});
       }
     return all;
   }
@@ -107,7 +106,7 @@ namespace apps
     auto limit = section.contacts.begin();
     for (const auto &contact : contacts.all())
       {
-        const double made = contact->balance().made();
+        const double made = contact->balance().spurious();
         if (std::fabs(made) > limit->energy_limit * largest)
           throw StoppedShort(fmt::format("Contacts/{}: at {:.6g} s the contact has made {:.3g} J by itself, more than "
                                          "Energy limit = {} of the largest energy, {:.3g} J. Lower Motion/Safety{}",

@@ -13,7 +13,7 @@ namespace apps
     double work = 0; ///< on the bodies
     double held = 0; ///< stored and dissipated
 
-    double made() const { return work + held; } ///< by themselves
+    double spurious() const { return work + held; } ///< by themselves
   };
 
   /** The contacts that a scene asks for between the bodies of its solid, as a run observes them. */

@@ -66,7 +66,7 @@ namespace apps
   {
     double                    end_time = 0, damping = 0, safety = 0.9;
     std::array<Expression, 3> initial_velocity;
-    std::string               rigid;              ///< materials of bodies that do not deform, separated by commas
+    std::vector<std::string>  rigid;              ///< materials of bodies that do not deform
     bool                      ends_itself = true; ///< otherwise the scene says when
   };
 

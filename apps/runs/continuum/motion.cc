@@ -28,7 +28,7 @@ namespace apps
       };
     }
 
-    /** What pushes, leads and adds to the account from outside: of couplings, bodies in contact and rigid bodies. */
+    /** What pushes, drives and adds to the account from outside: of couplings, bodies in contact and rigid bodies. */
     template <int dim>
     void visit_outside(base::StateVisitor &visitor, fem::ExplicitOutside &outside, const fem::Solid<dim> &solid)
     {

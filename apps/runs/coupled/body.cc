@@ -3,15 +3,14 @@
 #include "apps/process/interrupt.h"
 #include "apps/results/run_work.h"
 #include "apps/runs/continuum/contacts.h"
-#include "apps/runs/continuum/probes.h"
 #include "apps/runs/continuum/motion.h"
 #include "apps/runs/continuum/picture.h"
+#include "apps/runs/continuum/probes.h"
 #include "apps/runs/continuum/snapshot.h"
 #include "apps/runs/continuum/solid.h"
 #include "apps/runs/coupled/energy_watch.h"
 #include "apps/runs/coupled/taken_places.h"
 #include "apps/specimens/specimen_picture.h"
-#include "apps/text/name_list.h"
 #include "coupling/concurrent/concurrent_motion.h"
 #include "coupling/volume/overlap_medium.h"
 #include "dem/facets/surface.h"
@@ -71,8 +70,8 @@ namespace apps
             *solid,
             *motion,
             participant,
-            [this] { body.lead_next_step(); },
-            names_in(what.continuum.motion.rigid))
+            [this] { body.drive_next_step(); },
+            what.continuum.motion.rigid)
         , touching(what.continuum.contacts, both.contacts())
         , probes(*solid, what.continuum)
         , energies(what, both, touching)
@@ -80,7 +79,7 @@ namespace apps
         both.set_largest_ratio(static_cast<int>(what.largest_ratio));
         both.set_sub_cycling_loss(what.sub_cycling_loss);
         if (what.checked_windows)
-          both.check_windows([this](base::StateVisitor &visitor) { body.visit_lead_state(visitor); });
+          both.check_windows([this](base::StateVisitor &visitor) { body.visit_drive_state(visitor); });
         for (const HandshakeSection &handshake : model.handshakes.handshakes)
           add(handshake);
         std::vector<std::string> boundaries;
@@ -89,7 +88,7 @@ namespace apps
         model.refuse_unknown_boundaries(boundaries);
         for (const CouplingSection &coupling : model.couplings.couplings)
           both.add_surface({coupling.name,
-                            coupling.boundaries(),
+                            coupling.boundaries,
                             coupling.contact.materials(),
                             coupling.pressure,
                             coupling.skin,
@@ -137,15 +136,15 @@ namespace apps
                 add(column_name(coupling.name) + "_torn", "");
               }
             add(column_name(coupling.name) + "_work", "J");
-            add(column_name(coupling.name) + "_made", "J");
-            add(column_name(coupling.name) + "_made_by_contacts", "J");
+            add(column_name(coupling.name) + "_spurious", "J");
+            add(column_name(coupling.name) + "_spurious_of_contacts", "J");
           }
         for (const postprocess::SeriesColumn &column : touching.columns())
           all.push_back(column);
         for (const HandshakeSection &handshake : model.handshakes.handshakes)
           {
             add(column_name(handshake.name) + "_damaged", "");
-            for (const char *term : {"_work", "_made", "_absorbed", "_twice"})
+            for (const char *term : {"_work", "_spurious", "_absorbed", "_double_counted"})
               add(column_name(handshake.name) + term, "J");
           }
         for (const char *quantity : {"momentum", "angular_momentum"})
@@ -195,7 +194,7 @@ namespace apps
         add(std::initializer_list<double>{static_cast<double>(counts.links),
                                           static_cast<double>(counts.broken) + static_cast<double>(torn_glue()),
                                           static_cast<double>(counts.contacts + counts.wall_contacts)});
-        double made     = touching.energies().made();
+        double made     = touching.energies().spurious();
         auto   coupling = model.couplings.couplings.begin();
         for (const auto &surface : both.surfaces())
           {
@@ -204,16 +203,16 @@ namespace apps
             values.push_back(static_cast<double>(touched.touching));
             if (coupling++->bond.given())
               add(std::initializer_list<double>{static_cast<double>(touched.glued), static_cast<double>(touched.torn)});
-            add(std::initializer_list<double>{balance.work_on_solid, balance.made(), balance.contacts});
-            made += balance.made(); // what contacts make, the residual of the particles shows already
+            add(std::initializer_list<double>{balance.work_on_solid, balance.spurious(), balance.contacts});
+            made += balance.spurious(); // what contacts make, the residual of the particles shows already
           }
         add(touching.values());
         for (const auto &handshake : both.volumes())
           {
             const coupling::VolumeBalance &balance = handshake->balance();
             add(std::initializer_list<double>{static_cast<double>(handshake->damaged_bonds()), balance.work_on_solid,
-                                              balance.made(), balance.absorbed, balance.twice});
-            made += balance.made(); // what was absorbed is known, and no defect
+                                              balance.spurious(), balance.absorbed, balance.double_counted});
+            made += balance.spurious(); // what was absorbed is known, and no defect
           }
         const auto [linear, angular] = momentum();
         add(std::initializer_list<double>{linear[0], linear[1], linear[2], angular[0], angular[1], angular[2]});
@@ -403,7 +402,7 @@ namespace apps
 
       bool share_a_boundary(const CouplingSection &one, const CouplingSection &other) const
       {
-        const auto names = one.boundaries(), others = other.boundaries();
+        const auto names = one.boundaries, others = other.boundaries;
         const auto same = [this](const std::string &a, const std::string &b) {
           return solid->mesh().boundary(a) == solid->mesh().boundary(b);
         };

@@ -1,18 +1,14 @@
 #include "apps/runs/coupled/couplings.h"
 
-#include "apps/text/name_list.h"
-
 #include <set>
 
 namespace apps
 {
-  std::vector<std::string> CouplingSection::boundaries() const { return names_in(boundary); }
-
-  std::vector<std::size_t> CouplingSection::particles(const ParticleGroups &groups) const
+  std::vector<std::size_t> CouplingSection::particles(const ParticleGroups &of_all) const
   {
     std::set<std::size_t> members;
-    for (const std::string &named : names_in(group))
-      members.insert(groups.at(named).begin(), groups.at(named).end());
+    for (const std::string &named : groups)
+      members.insert(of_all.at(named).begin(), of_all.at(named).end());
     return {members.begin(), members.end()};
   }
 
@@ -27,7 +23,7 @@ namespace apps
         const base::EntryPath section = all.at(coupling.name);
         if (coupling.name.find_first_of(",\"") != std::string::npos)
           section.refuse("a name without commas and quotes, please: it is part of columns of series.csv.");
-        for (const std::string &group : names_in(coupling.group))
+        for (const std::string &group : coupling.groups)
           groups.require(section, "Groups", group);
         coupling.contact.check(section);
         coupling.bond.check(section);

@@ -16,19 +16,18 @@ namespace apps
   /** Sub-section of "Couplings": particles on a part of the boundary of the solid. */
   struct CouplingSection
   {
-    std::string         name;
-    std::string         boundary; ///< names, separated by commas; "": all of it
-    std::string         group;    ///< names, separated by commas; "": all particles
-    ContactLaw          contact;
-    bool                pressure     = false;                          ///< on areas, not at points
-    double              skin         = 0;                              ///< [m]; 0: by the size of the facets
-    coupling::Spreading spreading    = coupling::Spreading::automatic; ///< of points
-    double              energy_limit = 0.01;                           ///< that it may make, over the largest energy
-    BondSection         bond;
+    std::string              name;
+    std::vector<std::string> boundaries; ///< names of parts; none: all of it
+    std::vector<std::string> groups;     ///< names; none: all particles
+    ContactLaw               contact;
+    bool                     pressure     = false;                          ///< on areas, not at points
+    double                   skin         = 0;                              ///< [m]; 0: by the size of the facets
+    coupling::Spreading      spreading    = coupling::Spreading::automatic; ///< of points
+    double                   energy_limit = 0.01; ///< that it may make, over the largest energy
+    BondSection              bond;
 
-    std::vector<std::string> boundaries() const;
     /** Packing numbers, sorted; none: all. @pre validated */
-    std::vector<std::size_t> particles(const ParticleGroups &groups) const;
+    std::vector<std::size_t> particles(const ParticleGroups &of_all) const;
   };
 
   /** Section "Couplings". */

@@ -80,10 +80,10 @@ namespace apps
     for (const auto &surface : both.surfaces())
       {
         const coupling::SurfaceBalance balance = surface->balance();
-        const double                   made    = balance.made_in_all();
+        const double                   made    = balance.spurious_in_all();
         require("Couplings/" + coupling->name, made, coupling->energy_limit, time,
-                std::fabs(balance.contacts) > std::fabs(balance.made()) ? remedy_of_contacts(*coupling) :
-                                                                          remedy(made, coupling->energy_limit));
+                std::fabs(balance.contacts) > std::fabs(balance.spurious()) ? remedy_of_contacts(*coupling) :
+                                                                              remedy(made, coupling->energy_limit));
         ++coupling;
       }
   }
@@ -98,9 +98,9 @@ namespace apps
       {
         const coupling::VolumeBalance &balance = volume->balance();
         const std::string              name    = "Handshakes/" + said->name;
-        require(name, balance.made(), said->energy_limit, now.time,
+        require(name, balance.spurious(), said->energy_limit, now.time,
                 volume->loses_by_itself() ? "Take Ties = coarse or strict, which lose nothing." :
-                                            remedy(balance.made(), said->energy_limit));
+                                            remedy(balance.spurious(), said->energy_limit));
         *most = std::max(*most, balance.absorbed);
         if (*most - balance.absorbed > said->energy_limit * largest)
           throw StoppedShort(
@@ -108,12 +108,12 @@ namespace apps
                         "Energy limit = {} of the largest energy, {:.3g} J. Lower Rate.",
                         name, now.time, *most - balance.absorbed, said->energy_limit, largest));
         // What would be there twice and is in neither is a gain that is booked.
-        if (balance.twice > of_both + said->energy_limit * largest)
+        if (balance.double_counted > of_both + said->energy_limit * largest)
           throw StoppedShort(fmt::format(
             "{}: at {:.6g} s bonds of constrained particles would have stored {:.3g} J in elements, of the {:.3g} "
             "J that both sides store: the body turns further than small displacements. Set "
             "Continuum/Model/Large displacement = true, or take Method = multipliers.",
-            name, now.time, balance.twice, of_both));
+            name, now.time, balance.double_counted, of_both));
         const std::size_t damaged = volume->damaged_bonds();
         if (static_cast<double>(damaged) > said->damage_limit * static_cast<double>(volume->bonds()))
           throw StoppedShort(
@@ -136,11 +136,11 @@ namespace apps
                                      "stresses have worked on them, more than Energy limit = {} of the largest energy, "
                                      "{:.3g} J: the material makes energy. Lower Continuum/Motion/Safety.",
                                      now.time, -now.dissipated, limit, largest));
-    double made = touching.energies().made();
+    double made = touching.energies().spurious();
     for (const auto &surface : both.surfaces())
-      made += surface->balance().made();
+      made += surface->balance().spurious();
     for (const auto &handshake : both.volumes())
-      made += handshake->balance().made();
+      made += handshake->balance().spurious();
     const double of_particles = -now.particles.residual(),
                  of_solid     = s.kinetic + s.internal + s.damped - s.external - s.start,
                  gained       = of_particles + of_solid + made;
@@ -186,10 +186,10 @@ namespace apps
     };
     auto coupling = model.couplings.couplings.begin();
     for (const auto &surface : both.surfaces())
-      say("Couplings/" + (coupling++)->name, surface->balance().made_in_all());
+      say("Couplings/" + (coupling++)->name, surface->balance().spurious_in_all());
     auto handshake = model.handshakes.handshakes.begin();
     for (const auto &volume : both.volumes())
-      say("Handshakes/" + (handshake++)->name, volume->balance().made());
+      say("Handshakes/" + (handshake++)->name, volume->balance().spurious());
     const coupling::SubCyclingLoss &loss = both.sub_cycling_loss();
     if (!all.empty() && loss.windows() > 0)
       all.push_back(fmt::format("sub-cycling has lost {:.2g} of the largest energy, with {:.3g} steps of one side in "

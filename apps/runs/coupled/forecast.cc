@@ -84,9 +84,10 @@ namespace apps
     if (!model.particles.walls.walls.empty())
       text += fmt::format("  walls        {}\n", body->particles().all_walls().text());
     for (const CouplingSection &coupling : model.couplings.couplings)
-      text += fmt::format("  coupling     {}: {} on {}\n", coupling.name,
-                          coupling.group.empty() ? "all particles" : coupling.group,
-                          coupling.boundary.empty() ? "all of the boundary" : coupling.boundary);
+      text += fmt::format(
+        "  coupling     {}: {} on {}\n", coupling.name,
+        coupling.groups.empty() ? "all particles" : fmt::format("{}", fmt::join(coupling.groups, ", ")),
+        coupling.boundaries.empty() ? "all of the boundary" : fmt::format("{}", fmt::join(coupling.boundaries, ", ")));
     text += couplings_out_of_reach(model, specimen, body->particles().all_groups());
     text += body->text_of_handshakes();
     text += fmt::format("  steps        solid {:.4g} s, particles {:.4g} s: ratio {:.3g}\n", steps.solid,

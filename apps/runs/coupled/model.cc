@@ -47,7 +47,7 @@ namespace apps
   void CoupledModel::refuse_unknown_boundaries(const std::vector<std::string> &known) const
   {
     for (const CouplingSection &coupling : couplings.couplings)
-      for (const std::string &name : coupling.boundaries())
+      for (const std::string &name : coupling.boundaries)
         if (std::find(known.begin(), known.end(), name) == known.end())
           path_of(coupling).refuse("Boundary", fmt::format("the mesh has no boundary \"{}\". {} It has: {}.", name,
                                                            did_you_mean(name, known), fmt::join(known, ", ")));
@@ -60,7 +60,7 @@ namespace apps
     if (continuum.mesh.source == MeshSection::Source::file)
       return;
     for (const CouplingSection &coupling : couplings.couplings)
-      for (const std::string &boundary : coupling.boundaries())
+      for (const std::string &boundary : coupling.boundaries)
         if (const std::string fault = fault_of_side(boundary, weight); !fault.empty())
           scene.at("Couplings").at(coupling.name).refuse("Boundary", fault);
   }

@@ -74,7 +74,7 @@ namespace apps
     std::vector<std::size_t>
     members_of(const CouplingSection &coupling, const ParticleGroups &groups, const std::size_t all)
     {
-      if (!coupling.group.empty())
+      if (!coupling.groups.empty())
         return coupling.particles(groups);
       std::vector<std::size_t> everybody(all);
       std::iota(everybody.begin(), everybody.end(), std::size_t{0});
@@ -106,7 +106,9 @@ namespace apps
         text +=
           fmt::format("  warning      coupling {}: neither the weight nor a velocity leads its particles to {}: it may "
                       "never be touched. Check Boundary, Gravity and Initial velocity\n",
-                      coupling.name, coupling.boundary.empty() ? "the boundary" : "Boundary = " + coupling.boundary);
+                      coupling.name,
+                      coupling.boundaries.empty() ? "the boundary" :
+                                                    fmt::format("Boundary = {}", fmt::join(coupling.boundaries, ", ")));
       }
     return text;
   }

@@ -88,13 +88,16 @@ namespace apps
       if (name.rfind(all, 0) == 0)
         terms[name.substr(all.size())] = series.column(name).back();
     for (const CouplingSection &coupling : model.couplings.couplings)
-      for (const char *maker : {"made", "made_by_contacts"})
-        terms[std::string(maker) == "made" ? "made_by_couplings" : maker][coupling.name] =
-          series.column(column_name(coupling.name) + "_" + maker).back();
+      {
+        const auto last = [&](const char *term) { return series.column(column_name(coupling.name) + term).back(); };
+        terms["spurious_of_couplings"][coupling.name] = last("_spurious");
+        terms["spurious_of_contacts"][coupling.name]  = last("_spurious_of_contacts");
+      }
     for (const HandshakeSection &handshake : model.handshakes.handshakes)
       {
-        terms["made_by_couplings"][handshake.name] = series.column(column_name(handshake.name) + "_made").back();
-        terms["absorbed"][handshake.name]          = series.column(column_name(handshake.name) + "_absorbed").back();
+        terms["spurious_of_couplings"][handshake.name] =
+          series.column(column_name(handshake.name) + "_spurious").back();
+        terms["absorbed"][handshake.name] = series.column(column_name(handshake.name) + "_absorbed").back();
       }
     return terms;
   }

@@ -1,42 +1,31 @@
 #include "apps/runs/homogenisation/model.h"
 
 #include "apps/specimens/specimen_packing.h"
-#include "apps/text/value_text.h"
 #include "postprocess/packings/packing_io.h"
+
+#include <algorithm>
 
 namespace apps
 {
   namespace
   {
-    /** Numbers between commas; empty if a part is none, or not from least to most. */
-    std::vector<double> numbers_in(const std::string &text, const double least, const double most)
+    bool are_within(const std::vector<double> &numbers, const double least, const double most)
     {
-      std::vector<double> numbers;
-      for (const std::string &part : comma_separated(text))
-        {
-          const auto number = number_in(part);
-          if (!number || !(*number >= least && *number <= most))
-            return {};
-          numbers.push_back(*number);
-        }
-      return numbers;
+      return !numbers.empty() && std::all_of(numbers.begin(), numbers.end(),
+                                             [&](const double number) { return number >= least && number <= most; });
     }
   } // namespace
 
   void HomogenisationModel::check(const base::EntryPath &root) const
   {
     const base::EntryPath s = root.at("Homogenisation");
-    if (interactions().empty())
+    if (!are_within(interaction_ratios, 1, 10))
       s.refuse("Interaction ratios", "expected numbers from 1 to 10, separated by commas, e.g. 1.05, 1.25, 1.5.");
-    if (shears().empty())
+    if (!are_within(shear_ratios, 1e-12, 1e12))
       s.refuse("Shear ratios", "expected numbers above 0, from 1e-12 to 1e12, separated by commas, e.g. 0.1, 0.2, 1.");
     if (thickness > 0 && source == SpecimenSection::Source::generator)
       s.refuse("Thickness", "packings of discs are not made here. Take one from a file.");
   }
-
-  std::vector<double> HomogenisationModel::interactions() const { return numbers_in(interaction_ratios, 1, 10); }
-
-  std::vector<double> HomogenisationModel::shears() const { return numbers_in(shear_ratios, 1e-12, 1e12); }
 
   std::vector<dem::Packing> HomogenisationModel::packings() const
   {

@@ -21,12 +21,10 @@ namespace apps
     double                          radius = 1e-3, friction = 1;
     std::int64_t                    particles = 1000, seeds = 1;
     double                          normal_modulus = 0, thickness = 0, tolerance = 1e-10;
-    std::string                     interaction_ratios, shear_ratios; ///< numbers between commas
+    std::vector<double>             interaction_ratios, shear_ratios;
 
     /** Rules between entries. @throws base::InputError */
-    void                check(const base::EntryPath &root) const;
-    std::vector<double> interactions() const; ///< @pre checked
-    std::vector<double> shears() const;       ///< @pre checked
+    void check(const base::EntryPath &root) const;
     /** One for each seed, or that of the file. @throws base::InputError */
     std::vector<dem::Packing> packings() const;
     dem::Packing              made_packing(std::int64_t seed) const;

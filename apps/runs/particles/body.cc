@@ -56,7 +56,7 @@ namespace apps
   {
     const StaticStart found = start_statically(body, model->gravity);
     model->initial_velocity.give(body, *packing, groups);
-    motion.lead_next_step(); // what is held moves as prescribed from the start
+    motion.drive_next_step(); // what is held moves as prescribed from the start
     if (body.surfaces().size() > 0)
       body.partners().find_surface_forces(); // refuses particles that lie in a wall
     return found;
@@ -70,12 +70,12 @@ namespace apps
     return model->initial_velocity.untouched_since(body, *packing, groups, model->gravity.vector());
   }
 
-  void ParticlesBody::lead_next_step()
+  void ParticlesBody::drive_next_step()
   {
     if (motion.varies())
-      motion.lead_next_step();
+      motion.drive_next_step();
     if (walls.varies())
-      walls.lead_next_step();
+      walls.drive_next_step();
     push();
     if (model->time.damping_in_time.given())
       body.set_damping(model->time.damping_at(body.time()));
@@ -87,7 +87,7 @@ namespace apps
       body.partners().clear_forces();
     forces.apply();
     if (lab)
-      lab->lead();
+      lab->drive();
   }
 
   void ParticlesBody::visit_state(base::StateVisitor &visitor)
@@ -105,7 +105,7 @@ namespace apps
     body.advance(std::numeric_limits<std::int64_t>::max(), [&] {
       if (lab)
         lab->observe();
-      lead_next_step();
+      drive_next_step();
       return body.time() < time && !interrupted() && !test_is_over() && !(comes_back && test_is_loading());
     });
   }
@@ -126,7 +126,7 @@ namespace apps
     body.advance(steps, [&] {
       if (lab)
         lab->observe();
-      lead_next_step();
+      drive_next_step();
       return true;
     });
   }

@@ -11,7 +11,7 @@
 
 namespace apps
 {
-  /** The particles of a scene as they move: linked, held, led and measured as it says. */
+  /** The particles of a scene as they move: linked, held, driven and measured as it says. */
   class ParticlesBody
   {
   public:
@@ -29,7 +29,7 @@ namespace apps
     void advance(std::int64_t steps);
 
     /** What the next step does: motion, walls and forces. Whoever advances the specimen himself calls it before each step. */
-    void lead_next_step();
+    void drive_next_step();
 
     /** Values of the probes, now. */
     std::vector<double> probes() const;
@@ -44,7 +44,7 @@ namespace apps
     /** A reader must have been made from the same model and packing. */
     void visit_state(base::StateVisitor &visitor);
     /** Of that only what the prescribed motions remember besides the specimen. */
-    void visit_lead_state(base::StateVisitor &visitor) { motion.visit_state(visitor); }
+    void visit_drive_state(base::StateVisitor &visitor) { motion.visit_state(visitor); }
     /** The test of section Laboratory; nullptr: there is none. */
     const dem::LabTest *test() const { return lab.get(); }
     bool                test_is_over() const { return lab && lab->finished(); }

@@ -121,16 +121,16 @@ namespace apps
         grip_of[motion.group] = body.grips().add(grip);
         members.push_back(grip.particles);
       }
-    lead_next_step();
+    drive_next_step();
   }
 
-  void PrescribedMotion::lead_next_step()
+  void PrescribedMotion::drive_next_step()
   {
     for (std::size_t g = 0; g < motions.size(); ++g)
-      motions[g].turns() ? lead_turning(g) : motions[g].by_place() ? lead_by_place(g) : lead_alike(g);
+      motions[g].turns() ? drive_turning(g) : motions[g].by_place() ? drive_by_place(g) : drive_alike(g);
   }
 
-  void PrescribedMotion::lead_alike(const std::size_t g)
+  void PrescribedMotion::drive_alike(const std::size_t g)
   {
     const double          middle = specimen->time() + 0.5 * specimen->time_step();
     const Eigen::Vector3d nowhere(0, 0, 0);
@@ -166,7 +166,7 @@ namespace apps
     }
   } // namespace
 
-  void PrescribedMotion::lead_by_place(const std::size_t g)
+  void PrescribedMotion::drive_by_place(const std::size_t g)
   {
     const double                 now = specimen->time(), step = specimen->time_step();
     std::vector<Eigen::Vector3d> velocity, spin;
@@ -179,7 +179,7 @@ namespace apps
     specimen->grips().set_velocities(g, velocity, spin);
   }
 
-  void PrescribedMotion::lead_turning(const std::size_t g)
+  void PrescribedMotion::drive_turning(const std::size_t g)
   {
     const double          now = specimen->time(), step = specimen->time_step(), middle = now + 0.5 * step;
     const Eigen::Vector3d nowhere(0, 0, 0), turn = value_of(motions[g].turn, nowhere, middle);

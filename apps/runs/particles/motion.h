@@ -60,8 +60,8 @@ namespace apps
     PrescribedMotion(dem::Specimen &specimen, const PrescribedMotionSection &section, const ParticleGroups &groups);
 
     /** Velocities of the next step: those at its middle, of each particle where it then is. */
-    void lead_next_step();
-    bool varies() const { return varying; } ///< they must be led before every step
+    void drive_next_step();
+    bool varies() const { return varying; } ///< they must be driven before every step
 
     bool holds(const std::string &group) const { return grip_of.count(group) > 0; }
     /** Force that holds the group, where its motion is prescribed [N]. @pre it is held */
@@ -85,9 +85,9 @@ namespace apps
       double          time = 0;                                                             ///< [s]
     };
 
-    void lead_alike(std::size_t group);
-    void lead_by_place(std::size_t group);
-    void lead_turning(std::size_t group);
+    void drive_alike(std::size_t group);
+    void drive_by_place(std::size_t group);
+    void drive_turning(std::size_t group);
 
     dem::Specimen                                   *specimen;
     std::vector<PrescribedFormulas>                  motions; ///< numbered as the grips

@@ -103,11 +103,11 @@ namespace apps
           for (const Expression &formula : *formulas)
             varying = varying || formula.varies_in_time();
         varying = varying || walls[w].force.varies_in_time();
-        lead(w);
+        drive(w);
       }
   }
 
-  void Walls::lead(const std::size_t w)
+  void Walls::drive(const std::size_t w)
   {
     const WallSection    &wall   = walls[w];
     const double          middle = specimen->time() + 0.5 * specimen->time_step();
@@ -120,10 +120,10 @@ namespace apps
                                       specimen->surfaces().at(w).centre);
   }
 
-  void Walls::lead_next_step()
+  void Walls::drive_next_step()
   {
     for (std::size_t w = 0; w < walls.size(); ++w)
-      lead(w);
+      drive(w);
   }
 
   const dem::Surface &Walls::surface(const std::string &name) const

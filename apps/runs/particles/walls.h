@@ -71,7 +71,7 @@ namespace apps
     std::vector<std::string> names() const;
   };
 
-  /** The walls of a specimen, led as a scene says. The specimen must outlive it. */
+  /** The walls of a specimen, driven as a scene says. The specimen must outlive it. */
   class Walls
   {
   public:
@@ -79,15 +79,15 @@ namespace apps
     Walls(dem::Specimen &specimen, const WallsSection &section);
 
     /** Velocities of the next step (those at its middle) and forces of servos. */
-    void lead_next_step();
-    bool varies() const { return varying; } ///< in time: they must be led before every step
+    void drive_next_step();
+    bool varies() const { return varying; } ///< in time: they must be driven before every step
 
     const dem::Surface &surface(const std::string &name) const;
     /** "floor 2 facets, piston 2 facets at a force"; "" without walls */
     std::string text() const;
 
   private:
-    void lead(std::size_t wall);
+    void drive(std::size_t wall);
 
     dem::Specimen           *specimen;
     std::vector<WallSection> walls; ///< numbered as the surfaces

@@ -2,9 +2,9 @@
 
 #include "apps/process/interrupt.h"
 #include "apps/results/run_work.h"
-#include "apps/runs/continuum/probes.h"
 #include "apps/runs/continuum/motion.h"
 #include "apps/runs/continuum/picture.h"
+#include "apps/runs/continuum/probes.h"
 #include "apps/runs/continuum/snapshot.h"
 #include "apps/runs/continuum/solid.h"
 #include "base/errors.h"
@@ -150,7 +150,7 @@ namespace apps
         for (const char *term : {"kinetic", "strain", "repulsion", "released", "external", "start"})
           all.push_back({std::string("energy_core_") + term, "J"});
         for (const char *name :
-             {"handshake_work_on_solid", "handshake_work_on_core", "handshake_made", "energy_residual"})
+             {"handshake_work_on_solid", "handshake_work_on_core", "handshake_spurious", "energy_residual"})
           all.push_back({name, "J"});
         return all;
       }
@@ -283,7 +283,7 @@ namespace apps
               throw base::InputError(fmt::format(
                 "Handshake/Sides = {}: an element at ({:g}, {:g}, {:g}) m lies beside the core, at a side that is not "
                 "named. Name it, or make the core as wide as the solid.",
-                model.handshake.sides, centre.x(), centre.y(), centre.z()));
+                fmt::join(model.handshake.sides, ", "), centre.x(), centre.y(), centre.z()));
           }
       }
 

@@ -1,6 +1,5 @@
 #include "apps/runs/peridynamic_core/model.h"
 
-#include "apps/text/name_list.h"
 #include "apps/text/nearest_name.h"
 #include "dem/peridynamics/boundary.h"
 
@@ -32,8 +31,6 @@ namespace apps
       return {static_cast<int>(number / 2), number % 2 == 1};
     }
   } // namespace
-
-  std::vector<std::string> CoreHandshakeSection::side_list() const { return names_in(sides); }
 
   void PeridynamicCoreModel::check(const base::EntryPath &root) const
   {
@@ -69,7 +66,7 @@ namespace apps
   void PeridynamicCoreModel::check_handshake(const base::EntryPath &root) const
   {
     const base::EntryPath          section = root.at("Handshake");
-    const std::vector<std::string> known = pd::side_names(dimension()), sides = handshake.side_list();
+    const std::vector<std::string> known = pd::side_names(dimension()), &sides = handshake.sides;
     if (sides.empty())
       section.refuse("Sides", "names no side of the core.");
     Vector3d left = core.body().size; // of the core where both are not
@@ -104,7 +101,7 @@ namespace apps
     constexpr double endless = std::numeric_limits<double>::infinity();
     Vector3d         low = Vector3d::Constant(-endless), high = Vector3d::Constant(endless);
     const Vector3d   half = 0.5 * core.body().size;
-    for (const std::string &name : handshake.side_list())
+    for (const std::string &name : handshake.sides)
       {
         const Side side                      = side_of(name);
         (side.upper ? high : low)[side.axis] = (side.upper ? 1 : -1) * (half[side.axis] - handshake.width);

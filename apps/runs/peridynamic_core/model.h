@@ -15,11 +15,9 @@ namespace apps
   /** Section "Handshake": the layer at the core's sides in which elements and bonds both are. */
   struct CoreHandshakeSection
   {
-    std::string             sides = "left, right"; ///< of the core that lie in the elements, between commas
-    double                  width = 0;             ///< [m]
-    coupling::Compatibility ties  = coupling::Compatibility::coarse;
-
-    std::vector<std::string> side_list() const;
+    std::vector<std::string> sides = {"left", "right"}; ///< of the core that lie in the elements
+    double                   width = 0;                 ///< [m]
+    coupling::Compatibility  ties  = coupling::Compatibility::coarse;
   };
 
   /** Everything that a scene of kind "peridynamic_core" says. */

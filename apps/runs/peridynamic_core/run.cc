@@ -131,7 +131,7 @@ namespace apps
     const double balance            = worst_residual(series);
     figures["steps"]                = body->steps();
     figures["energy_balance_error"] = quantity(balance, "-");
-    figures["handshake_made"]       = quantity(series.column("handshake_made").back(), "J");
+    figures["handshake_spurious"]   = quantity(series.column("handshake_spurious").back(), "J");
     summary["figures"]              = figures;
     for (const std::string &name : series.names)
       if (const std::string all = "energy_"; name.rfind(all, 0) == 0)
@@ -143,7 +143,7 @@ namespace apps
                        {"wall_seconds", wall_seconds}};
     words += fmt::format("{:<28} {}\n", "medium", body->text_of_mismatch());
     words += fmt::format("{:<28} {:.3g} of the largest at worst; the handshake made {:.3g} J\n", "energy balance",
-                         balance, series.column("handshake_made").back());
+                         balance, series.column("handshake_spurious").back());
     words += fmt::format("{:<28} {}, {} steps with {} threads\n", "cost", duration_text(wall_seconds), body->steps(),
                          omp_get_max_threads());
     return {summary, words, nullptr};

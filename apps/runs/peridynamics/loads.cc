@@ -62,7 +62,7 @@ namespace apps
   namespace
   {
     /** A component of a node that a formula moves. */
-    struct LedComponent
+    struct DrivenComponent
     {
       std::size_t     node;
       std::size_t     component;
@@ -101,9 +101,9 @@ namespace apps
       }
 
     void
-    lead(const std::list<PeridynamicSupport> &supports, const pd::Grid &grid, const bool quiet, PeridynamicLoads &made)
+    drive(const std::list<PeridynamicSupport> &supports, const pd::Grid &grid, const bool quiet, PeridynamicLoads &made)
     {
-      std::vector<LedComponent> led;
+      std::vector<DrivenComponent> driven;
       made.act.held.assign(grid.places(), 0);
       for (const PeridynamicSupport &support : supports)
         for (const std::size_t i : nodes_of(support, grid))
@@ -112,10 +112,10 @@ namespace apps
               {
                 made.act.held[i] |= static_cast<std::uint8_t>(1u << c);
                 made.held = true;
-                led.push_back({i, c, grid.position(i), support.displacement[c]});
+                driven.push_back({i, c, grid.position(i), support.displacement[c]});
               }
-      made.act.displacements = [led, quiet](const double when, pd::Field &u) {
-        for (const LedComponent &l : led)
+      made.act.displacements = [driven, quiet](const double when, pd::Field &u) {
+        for (const DrivenComponent &l : driven)
           {
             const double value       = l.formula(l.place.x(), l.place.y(), l.place.z(), when);
             u.c[l.component][l.node] = quiet && !l.formula.varies_in_time() ? when * value : value;
@@ -152,7 +152,7 @@ namespace apps
           (*transfer++)->add(values, u, forces);
         }
     };
-    lead(supports, bonds.grid(), quiet, made);
+    drive(supports, bonds.grid(), quiet, made);
     return made;
   }
 } // namespace apps

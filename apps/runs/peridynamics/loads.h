@@ -54,7 +54,7 @@ namespace apps
 
     /** @throws base::InputError */
     void check(const base::EntryPath &root, int dimension) const;
-    /** @param quiet led by a load factor, not by time @throws base::InputError for boundaries that the body does not have */
+    /** @param quiet driven by a load factor, not by time @throws base::InputError for boundaries that the body does not have */
     PeridynamicLoads on(const dem::peridynamics::Bonds &bonds, bool quiet) const;
   };
 } // namespace apps

@@ -117,7 +117,7 @@ namespace apps
     if (path.points().size() == 1 && particles)
       snapshot();
     const dem::QuasiStaticPoint &point = path.advance();
-    result.add(point, gauged_strain(), point.stress[loaded.led]);
+    result.add(point, gauged_strain(), point.stress[loaded.driven]);
     if (particles && static_cast<std::int64_t>(path.points().size() - 1) % snapshot_interval == 0)
       snapshot();
   }
@@ -125,7 +125,7 @@ namespace apps
   double QuasiStaticLabTest::gauged_strain() const
   {
     if (!layers || !layers->planes)
-      return path.points().back().strain[loaded.led];
+      return path.points().back().strain[loaded.driven];
     const std::vector<Eigen::Vector3d> u     = dem::displacements_of(loaded, path.motion());
     const auto                         place = [&](const std::size_t i) { return u[i][axis]; };
     return (layers->planes->second.motion(place) - layers->planes->first.motion(place)) / layers->gauge_length;
@@ -153,7 +153,7 @@ namespace apps
   {
     const dem::QuasiStaticPoint &p      = path.points().back();
     std::vector<double>          values = {static_cast<double>(path.points().size() - 1), result.strain.back(),
-                                           p.stress[loaded.led], p.mean_damage};
+                                           p.stress[loaded.driven], p.mean_damage};
     if (!layers)
       values.insert(values.end(), p.strain.data(), p.strain.data() + 3);
     values.insert(values.end(),
@@ -224,13 +224,13 @@ namespace apps
 
   double QuasiStaticLabTest::done() const
   {
-    return std::min(1.0, std::fabs(path.points().back().strain[loaded.led]) / end_strain);
+    return std::min(1.0, std::fabs(path.points().back().strain[loaded.driven]) / end_strain);
   }
 
   std::string QuasiStaticLabTest::details() const
   {
     const dem::QuasiStaticPoint &p = path.points().back();
-    return fmt::format("point {}, strain {:.2e}, stress {:.3g} MPa, {}", path.points().size() - 1, p.strain[loaded.led],
-                       1e-6 * p.stress[loaded.led], dem::name_of(p.control));
+    return fmt::format("point {}, strain {:.2e}, stress {:.3g} MPa, {}", path.points().size() - 1,
+                       p.strain[loaded.driven], 1e-6 * p.stress[loaded.driven], dem::name_of(p.control));
   }
 } // namespace apps

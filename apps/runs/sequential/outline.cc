@@ -190,7 +190,7 @@ namespace apps
     if (model.particles.source == ParticleEventSection::Source::file)
       {
         const bool reference = model.transfer.field.place == coupling::FieldOptions::Place::reference;
-        for (const std::string &file : model.particles.files_asked())
+        for (const std::string &file : model.particles.files)
           outlines.push_back(outline_of(postprocess::read_discrete_state(file), file, reference));
         return outlines;
       }

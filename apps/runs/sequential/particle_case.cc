@@ -213,10 +213,10 @@ namespace apps
   {
     using Source = ParticleEventSection::Source;
     if (event.source == Source::file)
-      return std::make_unique<SavedCase>(event.files_asked().at(number), number);
+      return std::make_unique<SavedCase>(event.files.at(number), number);
     if (event.source == Source::impact)
-      return std::make_unique<ImpactCase>(event, packing, event.velocities_asked().at(number));
-    return std::make_unique<UniaxialCase>(event, packing, event.instants_asked().at(number));
+      return std::make_unique<ImpactCase>(event, packing, event.velocities.at(number));
+    return std::make_unique<UniaxialCase>(event, packing, event.instants.at(number));
   }
 
   double expected_seconds(ParticleCase &particles, const double part)

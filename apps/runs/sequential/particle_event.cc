@@ -2,8 +2,8 @@
 
 #include "apps/models/specimen_parameters.h"
 #include "apps/specimens/specimen_packing.h"
-#include "apps/text/value_text.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -11,19 +11,9 @@ namespace apps
 {
   namespace
   {
-    /** "a" or "a > b"; nothing if it is neither. */
-    std::optional<ParticleEventSection::Instant> instant_in(const std::string &text)
+    bool is_possible(const ParticleEventSection::Instant &instant)
     {
-      const auto arrow   = text.find('>');
-      const auto forward = number_in(trimmed(text.substr(0, arrow)));
-      if (!forward || *forward == 0)
-        return {};
-      if (arrow == std::string::npos)
-        return ParticleEventSection::Instant{*forward, {}};
-      const auto back = number_in(trimmed(text.substr(arrow + 1)));
-      if (!back || std::abs(*back) > std::abs(*forward))
-        return {};
-      return ParticleEventSection::Instant{*forward, *back};
+      return instant.forward != 0 && !(instant.back && std::abs(*instant.back) > std::abs(instant.forward));
     }
   } // namespace
 
@@ -44,7 +34,7 @@ namespace apps
     const base::EntryPath s = root.at("Particles");
     if (source == Source::file)
       {
-        if (files_asked().empty())
+        if (files.empty())
           s.refuse("Files", "expected file names, separated by commas.");
         return;
       }
@@ -53,7 +43,8 @@ namespace apps
     gravity.check(s, physics.dimension);
     if (source == Source::impact)
       {
-        if (velocities_asked().empty())
+        if (velocities.empty() ||
+            std::any_of(velocities.begin(), velocities.end(), [](const double v) { return !(v > 0); }))
           s.at("Impact").refuse("Impactor velocities", "expected numbers above 0, separated by commas.");
         return;
       }
@@ -62,8 +53,8 @@ namespace apps
 
   void ParticleEventSection::check_uniaxial(const base::EntryPath &section) const
   {
-    const auto when = instants_asked();
-    if (when.empty())
+    const std::vector<Instant> &when = instants;
+    if (when.empty() || !std::all_of(when.begin(), when.end(), is_possible))
       section.refuse("Instants", "expected strains, or \"strain > strain after unloading\", separated by commas, e.g. "
                                  "-1e-3, -2e-3 > -1e-3.");
     for (const Instant &i : when)
@@ -75,34 +66,6 @@ namespace apps
     if (physics.dimension == 2 && axis == 2)
       section.refuse("Axis", "in two dimensions the specimen lies in the plane z = 0. Load it along x or y.");
   }
-
-  std::vector<ParticleEventSection::Instant> ParticleEventSection::instants_asked() const
-  {
-    std::vector<Instant> all;
-    for (const std::string &part : comma_separated(instants))
-      {
-        const auto instant = instant_in(part);
-        if (!instant)
-          return {};
-        all.push_back(*instant);
-      }
-    return all;
-  }
-
-  std::vector<double> ParticleEventSection::velocities_asked() const
-  {
-    std::vector<double> all;
-    for (const std::string &part : comma_separated(velocities))
-      {
-        const auto number = number_in(part);
-        if (!number || *number <= 0)
-          return {};
-        all.push_back(*number);
-      }
-    return all;
-  }
-
-  std::vector<std::string> ParticleEventSection::files_asked() const { return comma_separated(files); }
 
   dem::SpecimenParameters ParticleEventSection::specimen_parameters() const
   {
@@ -117,11 +80,11 @@ namespace apps
     switch (source)
       {
       case Source::file:
-        return files_asked().size();
+        return files.size();
       case Source::impact:
-        return velocities_asked().size();
+        return velocities.size();
       default:
-        return instants_asked().size();
+        return instants.size();
       }
   }
 

@@ -33,35 +33,32 @@ namespace apps
       std::optional<double> back;
     };
 
-    Source          source = Source::uniaxial;
-    std::string     files; ///< between commas
-    SpecimenSection specimen;
-    MaterialSection material;
-    dem::Physics    physics;
-    TimeSection     time;
-    GravitySection  gravity;
+    Source                   source = Source::uniaxial;
+    std::vector<std::string> files; ///< of saved states
+    SpecimenSection          specimen;
+    MaterialSection          material;
+    dem::Physics             physics;
+    TimeSection              time;
+    GravitySection           gravity;
 
-    int         axis        = 2;
-    double      strain_rate = 0; ///< [1/s], magnitude; the sign is that of the strains
-    double      back_rate   = 0; ///< [1/s]; 0: half of strain_rate
-    GripEntries grips;
-    bool        lateral_blocked = false, spin_blocked = false;
-    double      end_strain = 0; ///< of the all-particle run that continuations are compared with; 0: none
-    std::string instants;
+    int                  axis        = 2;
+    double               strain_rate = 0; ///< [1/s], magnitude; the sign is that of the strains
+    double               back_rate   = 0; ///< [1/s]; 0: half of strain_rate
+    GripEntries          grips;
+    bool                 lateral_blocked = false, spin_blocked = false;
+    double               end_strain = 0; ///< of the all-particle run that continuations are compared with; 0: none
+    std::vector<Instant> instants;
 
     dem::ImpactParameters impact;
-    std::string           velocities;
+    std::vector<double>   velocities; ///< of the impactor, a run each [m/s]
 
     std::function<bool()> strained_too; ///< its specimen is also strained between grips, whatever the source
 
     void check(const base::EntryPath &root) const;
 
-    std::vector<Instant>     instants_asked() const;
-    std::vector<double>      velocities_asked() const;
-    std::vector<std::string> files_asked() const;
-    dem::SpecimenParameters  specimen_parameters() const;
-    std::size_t              cases() const;
-    bool compresses() const { return source == Source::uniaxial && instants_asked().front().forward < 0; }
+    dem::SpecimenParameters specimen_parameters() const;
+    std::size_t             cases() const;
+    bool                    compresses() const { return source == Source::uniaxial && instants.front().forward < 0; }
 
   private:
     void check_uniaxial(const base::EntryPath &section) const;

@@ -102,7 +102,7 @@ namespace apps
   dem::LoadedNetwork StructureModel::particles(const dem::Packing &packing, const ParticleGroups &members) const
   {
     dem::LoadedNetwork loaded = dem::unloaded(network(packing));
-    supports.lead(loaded, members);
+    supports.drive(loaded, members);
     return loaded;
   }
 } // namespace apps

@@ -24,7 +24,7 @@ namespace apps
     Region      region;
   };
 
-  /** Section "Path": how a structure is led along its equilibria. */
+  /** Section "Path": how a structure is driven along its equilibria. */
   struct PathSection
   {
     double end = 0, step = 0, stop_fraction = 0.2, growth_step = 0.2, tolerance = 1e-7, damping = 0.7;
@@ -63,7 +63,7 @@ namespace apps
     ParticleMedia       media(const std::optional<dem::Packing> &cell) const;
     ParticleGroups      groups_in(const dem::Packing &packing) const;
     dem::ElasticNetwork network(const dem::Packing &packing) const;
-    /** The particles alone, held and led. @throws base::InputError */
+    /** The particles alone, held and driven. @throws base::InputError */
     dem::LoadedNetwork particles(const dem::Packing &packing, const ParticleGroups &groups) const;
     dem::ParticleShape shape() const { return {dimension, 0, source.thickness}; }
     dem::Physics       physics() const;

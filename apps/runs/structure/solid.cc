@@ -1,7 +1,7 @@
 #include "apps/runs/structure/solid.h"
 
-#include "apps/runs/continuum/probes.h"
 #include "apps/runs/continuum/picture.h"
+#include "apps/runs/continuum/probes.h"
 #include "apps/runs/continuum/snapshot.h"
 #include "apps/runs/coupled/taken_places.h"
 #include "coupling/volume/static_handshake.h"
@@ -200,7 +200,7 @@ namespace apps
       {
         State now{both.displacement(motion), solid->make_vector(), solid->make_vector()};
         solid->internal_force(now.displacement, now.internal);
-        solid->external_force(motion.loads[both.network().led], now.external);
+        solid->external_force(motion.loads[both.network().driven], now.external);
         return now;
       }
 

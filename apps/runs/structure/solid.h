@@ -54,7 +54,7 @@ namespace apps
     outlines(const dem::LoadedMotion &motion, double magnify, int &across) const = 0;
   };
 
-  /** @param handshakes between both @param particles held and led. The model must outlive the solid. @throws base::InputError */
+  /** @param handshakes between both @param particles held and driven. The model must outlive the solid. @throws base::InputError */
   std::unique_ptr<StructureSolid>
   surround(const StructureModel &model, const HandshakesSection &handshakes, dem::LoadedNetwork particles);
 } // namespace apps

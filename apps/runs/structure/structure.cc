@@ -50,7 +50,7 @@ namespace apps
     std::vector<postprocess::SeriesColumn> all = model.probes.columns();
     for (const ParticleSupport &support : model.supports.supports)
       for (int c = 0; c < model.dimension; ++c)
-        if (support.leads(c))
+        if (support.drives(c))
           all.push_back({"reaction_" + column_name(support.group) + "_" + "xyz"[c], "N"});
     if (!solid)
       return all;
@@ -119,7 +119,7 @@ namespace apps
     std::vector<double> values;
     for (const ParticleSupport &support : model.supports.supports)
       for (int c = 0; c < model.dimension; ++c)
-        if (support.leads(c))
+        if (support.drives(c))
           {
             double sum = 0;
             for (const std::size_t i : groups.at(support.group))
@@ -144,7 +144,7 @@ namespace apps
   {
     const dem::QuasiStaticPoint &p      = last();
     std::vector<double>          values = {static_cast<double>(path.points().size() - 1), load_factor(),
-                                           p.stress[network().led] * network().volume};
+                                           p.stress[network().driven] * network().volume};
     const auto add = [&](const std::vector<double> &more) { values.insert(values.end(), more.begin(), more.end()); };
     add(model.probes.read(dem::displacements_of(network(), path.motion()), groups));
     add(reactions());

@@ -14,7 +14,7 @@
 
 namespace apps
 {
-  /** What a structure is made of; while it is led, elements may become particles (promotion.h). */
+  /** What a structure is made of; while it is driven, elements may become particles (promotion.h). */
   struct StructureParts
   {
     dem::Packing      packing;
@@ -24,7 +24,7 @@ namespace apps
     std::vector<std::size_t> promoted;
   };
 
-  /** Particles and the solid around them, if there is one, and the path along which they are led. */
+  /** Particles and the solid around them, if there is one, and the path along which they are driven. */
   class Structure
   {
   public:
@@ -38,7 +38,7 @@ namespace apps
     dem::QuasiStaticPath           &way() { return path; }
     const dem::QuasiStaticPath     &way() const { return path; }
     const dem::QuasiStaticPoint    &last() const { return path.points().back(); }
-    double                          load_factor() const { return last().strain[network().led]; }
+    double                          load_factor() const { return last().strain[network().driven]; }
     const MaterialCounts           &material_counts() const { return materials; }
     const ParticleGroups           &members() const { return groups; }
     const std::vector<std::size_t> &promoted() const { return promoted_elements; }

@@ -16,7 +16,7 @@ namespace apps
         const base::EntryPath s = all.at(support.group);
         for (int c = 0; c < 3; ++c)
           {
-            if (!support.leads(c))
+            if (!support.drives(c))
               continue;
             const std::string entry = std::string("Displacement ") + "xyz"[c];
             if (c >= dimension)
@@ -31,23 +31,23 @@ namespace apps
       }
   }
 
-  void ParticleSupportsSection::lead(dem::LoadedNetwork &loaded, const ParticleGroups &groups) const
+  void ParticleSupportsSection::drive(dem::LoadedNetwork &loaded, const ParticleGroups &groups) const
   {
-    std::map<std::pair<std::size_t, int>, const ParticleSupport *> led_by;
+    std::map<std::pair<std::size_t, int>, const ParticleSupport *> driven_by;
     for (const ParticleSupport &support : supports)
       {
         const std::vector<std::size_t> &members = groups.at(support.group);
         for (int c = 0; c < loaded.network.dimension; ++c)
-          if (support.leads(c))
+          if (support.drives(c))
             {
               for (const std::size_t i : members)
-                if (const auto [found, is_new] = led_by.emplace(std::pair{i, c}, &support); !is_new)
+                if (const auto [found, is_new] = driven_by.emplace(std::pair{i, c}, &support); !is_new)
                   throw base::InputError(fmt::format("Supports/{} and Supports/{}: both lead particle {} along {}.",
                                                      found->second->group, support.group, i + 1, "xyz"[c]));
-              dem::lead(loaded, members, c, support.displacement[static_cast<std::size_t>(c)](0, 0, 0, 1));
+              dem::drive(loaded, members, c, support.displacement[static_cast<std::size_t>(c)](0, 0, 0, 1));
             }
         for (int c = 3; c < dem::motions && !support.spins; ++c)
-          dem::lead(loaded, members, c, 0);
+          dem::drive(loaded, members, c, 0);
       }
   }
 } // namespace apps

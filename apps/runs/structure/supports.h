@@ -10,7 +10,7 @@
 
 namespace apps
 {
-  /** Sub-section of "Supports": a group of particles that is held, or led in proportion to the load factor. */
+  /** Sub-section of "Supports": a group of particles that is held, or driven in proportion to the load factor. */
   struct ParticleSupport
   {
     std::string group;
@@ -18,7 +18,7 @@ namespace apps
     bool        spins = true;
 
     /** Whether a component is prescribed. */
-    bool leads(const int axis) const { return displacement[static_cast<std::size_t>(axis)].given(); }
+    bool drives(const int axis) const { return displacement[static_cast<std::size_t>(axis)].given(); }
   };
 
   /** Section "Supports". */
@@ -28,7 +28,7 @@ namespace apps
 
     /** @throws base::InputError for a group or an axis that there is not, or a displacement that is not in proportion to t */
     void check(const base::EntryPath &root, int dimension, const GroupNames &names) const;
-    /** @throws base::InputError where two supports lead one particle along the same axis */
-    void lead(dem::LoadedNetwork &loaded, const ParticleGroups &groups) const;
+    /** @throws base::InputError where two supports drive one particle along the same axis */
+    void drive(dem::LoadedNetwork &loaded, const ParticleGroups &groups) const;
   };
 } // namespace apps

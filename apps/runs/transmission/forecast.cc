@@ -14,7 +14,7 @@ namespace apps
   {
     start_mpi();
     // The shortest packet tells; cost grows with the square of the length.
-    const auto            all      = model.lengths();
+    const auto            all      = model.wavelengths;
     const double          shortest = *std::min_element(all.begin(), all.end());
     const base::Stopwatch watch;
     const auto            answer  = coupling::transmit(model.wave(model.chosen().front(), shortest));

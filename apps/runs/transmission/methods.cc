@@ -21,7 +21,7 @@ namespace apps
       return method;
     }
 
-    coupling::WaveMethod led(const std::string &name, const coupling::VolumeMethod kind)
+    coupling::WaveMethod driven(const std::string &name, const coupling::VolumeMethod kind)
     {
       coupling::WaveMethod method;
       method.name   = name;
@@ -38,8 +38,8 @@ namespace apps
       tied("coarse", coupling::Compatibility::coarse, false),
       tied("strict", coupling::Compatibility::strict, false),
       tied("lumped", coupling::Compatibility::strict, true),
-      led("slaved", coupling::VolumeMethod::slaved),
-      led("legacy", coupling::VolumeMethod::legacy),
+      driven("constrained", coupling::VolumeMethod::constrained),
+      driven("legacy", coupling::VolumeMethod::legacy),
     };
     return all;
   }

@@ -2,7 +2,6 @@
 
 #include "apps/runs/transmission/methods.h"
 #include "apps/specimens/specimen_packing.h"
-#include "apps/text/name_list.h"
 #include "apps/text/value_text.h"
 
 #include <fmt/format.h>
@@ -15,7 +14,7 @@ namespace apps
   std::vector<coupling::WaveMethod> TransmissionModel::chosen() const
   {
     std::vector<coupling::WaveMethod> found;
-    for (const std::string &name : names_in(methods))
+    for (const std::string &name : methods)
       {
         const auto &all = wave_methods();
         const auto  one =
@@ -24,19 +23,6 @@ namespace apps
           return {};
         found.push_back(*one);
         found.back().proportions = proportions;
-      }
-    return found;
-  }
-
-  std::vector<double> TransmissionModel::lengths() const
-  {
-    std::vector<double> found;
-    for (const std::string &part : comma_separated(wavelengths))
-      {
-        const auto number = number_in(part);
-        if (!number || !(*number >= 4 * common.medium.spacing) || !(*number < 1e4 * common.medium.spacing))
-          return {};
-        found.push_back(*number);
       }
     return found;
   }
@@ -53,10 +39,13 @@ namespace apps
 
   void TransmissionModel::check(const base::EntryPath &root) const
   {
-    const base::EntryPath s = root.at("Waves");
-    if (lengths().empty())
+    const base::EntryPath s        = root.at("Waves");
+    const double          shortest = 4 * common.medium.spacing, longest = 1e4 * common.medium.spacing;
+    if (wavelengths.empty() || std::any_of(wavelengths.begin(), wavelengths.end(), [&](const double length) {
+          return !(length >= shortest && length < longest);
+        }))
       s.refuse("Wavelengths", fmt::format("expected numbers from {} to {} m, 4 to 10000 spacings, separated by commas.",
-                                          4 * common.medium.spacing, 1e4 * common.medium.spacing));
+                                          shortest, longest));
     if (chosen().empty())
       s.refuse("Methods", "expected names among " + wave_method_names() + ", separated by commas.");
     const bool one_way = common.medium.lattice == coupling::WaveMedium::Lattice::chain ||

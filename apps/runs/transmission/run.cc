@@ -18,7 +18,7 @@ namespace apps
     start_mpi();
     std::vector<WavePoint> points;
     for (const coupling::WaveMethod &method : model.chosen())
-      for (const double length : model.lengths())
+      for (const double length : model.wavelengths)
         {
           if (run.interrupted())
             return run.interrupted_result();

@@ -8,7 +8,7 @@ namespace apps
   {
     using coupling::bodies::BodyContactForm;
     contact.name = s.name();
-    s.text("Bodies", contact.bodies, Need::optional)
+    declare_names(s, "Bodies", contact.bodies, Need::optional)
       .means("Materials of the bodies, separated by commas; empty: all. A body is what hangs together in the mesh");
     s.choice("Form", contact.law.form,
              {{"potential", BodyContactForm::potential}, {"penalty", BodyContactForm::penalty}}, Need::optional)

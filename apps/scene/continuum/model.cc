@@ -101,7 +101,7 @@ namespace apps
       .means("alpha of the damping force alpha M v, which halves vibrations in 1.4/alpha");
     s.number("Safety", motion.safety, "-", {std::numeric_limits<double>::min(), 1.0, false}, Need::optional)
       .means("Time step over the critical step of the elements");
-    s.text("Rigid bodies", motion.rigid, Need::optional)
+    declare_names(s, "Rigid bodies", motion.rigid, Need::optional)
       .means("Materials of bodies that move without deforming, separated by commas; of the material only the density "
              "counts, "
              "and its stiffness for the time step: take a soft one");

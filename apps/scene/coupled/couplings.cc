@@ -11,9 +11,9 @@ namespace apps
   void declare(Section &s, CouplingSection &coupling)
   {
     coupling.name = s.name();
-    s.text("Boundary", coupling.boundary, Need::optional)
+    declare_names(s, "Boundary", coupling.boundaries, Need::optional)
       .means("Names of parts of the solid's boundary, separated by commas, z max as well as front; empty: all of it");
-    s.text("Groups", coupling.group, Need::optional)
+    declare_names(s, "Groups", coupling.groups, Need::optional)
       .means("Names of groups of particles (sections Groups and More particles), separated by commas; empty: all");
     s.choice("Contact", coupling.pressure, {{"point", false}, {"pressure", true}}, Need::optional)
       .means("point: each particle pushes where it is deepest in the surface, for particles that are small beside the "

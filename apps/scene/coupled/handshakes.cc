@@ -95,7 +95,7 @@ namespace apps
     handshake.solid = &around;
     if (!moves)
       {
-        handshake.method  = VolumeMethod::slaved;
+        handshake.method  = VolumeMethod::constrained;
         handshake.absorbs = false;
       }
     declare_region(s, handshake);
@@ -103,12 +103,13 @@ namespace apps
       .means(std::string("Width of the layer around the region in which particles and elements both are") +
              (moves ? "; four elements for the absorber" : "") +
              ". Particles of the specimen further away are left out");
-    s.choice(
-       "Method", handshake.method,
-       {{"multipliers", VolumeMethod::multipliers}, {"slaved", VolumeMethod::slaved}, {"legacy", VolumeMethod::legacy}},
-       Need::optional)
-      .means("multipliers: both share stiffness and mass in the overlap, and they are kept together; slaved: "
-             "its particles move as the elements do, which alone are stiff there; legacy: slaved, both stiff, for "
+    s.choice("Method", handshake.method,
+             {{"multipliers", VolumeMethod::multipliers},
+              {"constrained", VolumeMethod::constrained},
+              {"legacy", VolumeMethod::legacy}},
+             Need::optional)
+      .means("multipliers: both share stiffness and mass in the overlap, and they are kept together; constrained: "
+             "its particles move as the elements do, which alone are stiff there; legacy: constrained, both stiff, for "
              "comparison");
     if (moves)
       declare_ties_in_motion(s, handshake);

@@ -7,8 +7,8 @@ namespace apps
   class Section;
 
   /**
-   * @param around the particles, outlives this @param moves whether both sides are in motion, or led along equilibria, where particles are
-   * slaved unless a scene says otherwise
+   * @param around the particles, outlives this @param moves whether both sides are in motion, or driven along equilibria, where particles are
+   * constrained unless a scene says otherwise
    */
   void declare(Section &section, HandshakeSection &handshake, const ContinuumModel &around, bool moves);
   /** @param around, moves as above */

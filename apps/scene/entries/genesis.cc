@@ -93,7 +93,7 @@ namespace apps
     const auto there = [&aggregates] { return aggregates.given(); };
     section.number("Content", aggregates.content, "-", Range::between(0, 1), Need::optional)
       .means("Part of the volume that is aggregate of any size, for Walraven's grading of a plane section; 0: none");
-    declare_list(section, "Sizes", aggregates.bounds, "m", Need::required)
+    declare_numbers(section, "Sizes", aggregates.bounds, "m", "numbers", Need::required)
       .means("Bounds of the classes of diameters that are modelled, ascending, between commas [m]; the last is the "
              "largest of the grading")
       .only_if(there, "Specimen/Genesis/Aggregates/Content > 0");

@@ -27,9 +27,9 @@ namespace apps
       .means("During compaction; 1 leaves a packing fraction of 0.55, 0.1 of 0.61");
     s.number("Normal modulus", model.normal_modulus, "Pa", Range::positive(), Need::required)
       .means("E of the link material");
-    s.text("Interaction ratios", model.interaction_ratios, Need::required)
+    declare_numbers(s, "Interaction ratios", model.interaction_ratios, "", "numbers from 1 to 10", Need::required)
       .means("Numbers from 1 to 10, separated by commas");
-    s.text("Shear ratios", model.shear_ratios, Need::required)
+    declare_numbers(s, "Shear ratios", model.shear_ratios, "", "numbers above 0", Need::required)
       .means("G/E of the link material, numbers above 0, separated by commas");
     s.number("Thickness", model.thickness, "m", Range::at_least(0), Need::optional)
       .means("0: spheres; above: the packing of the file is of discs this thick");

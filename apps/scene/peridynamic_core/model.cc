@@ -14,7 +14,7 @@ namespace apps
       Section &s =
         root.section("Handshake", "The layer in which elements and bonds both are: across it the share of the "
                                   "elements grows from nothing to all. Elements within go");
-      s.text("Sides", handshake.sides, Need::optional)
+      declare_names(s, "Sides", handshake.sides, Need::optional)
         .means(
           "Of the core that lie in the elements, between commas: left, right, bottom, top, back, front; the others "
           "are sides of the whole body");

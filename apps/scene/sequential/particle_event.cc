@@ -8,11 +8,55 @@
 #include "apps/scene/entries/time.h"
 #include "apps/scene/number_list.h"
 #include "apps/scene/section.h"
+#include "apps/scene/usual_sizes.h"
+#include "apps/text/value_text.h"
+
+#include <optional>
+#include <utility>
+#include <vector>
 
 namespace apps
 {
   namespace
   {
+    /** "a" or "a > b"; nothing if it is neither. */
+    std::optional<ParticleEventSection::Instant> instant_in(const std::string &text)
+    {
+      const auto arrow   = text.find('>');
+      const auto forward = number_in(trimmed(text.substr(0, arrow)));
+      if (!forward)
+        return {};
+      if (arrow == std::string::npos)
+        return ParticleEventSection::Instant{*forward, {}};
+      const auto back = number_in(trimmed(text.substr(arrow + 1)));
+      if (!back)
+        return {};
+      return ParticleEventSection::Instant{*forward, *back};
+    }
+
+    Entry &declare_instants(Section &section, std::vector<ParticleEventSection::Instant> &instants)
+    {
+      const std::string entry = "Instants";
+      std::string       none;
+      Entry            &added = section.text(entry, none, Need::required); // its store does not outlive this
+      added.store             = [&instants, entry](const std::string &written, const Place &) -> std::string {
+        std::vector<ParticleEventSection::Instant> all;
+        for (const std::string &part : comma_separated(list_without_units(written, "-")))
+          {
+            const auto instant = instant_in(part);
+            if (!instant)
+              return "expected strains, or \"strain > strain after unloading\", separated by commas, e.g. -1e-3, -2e-3 "
+                                 "> -1e-3";
+            all.push_back(*instant);
+          }
+        const std::string question = question_about_list(entry, "-", written);
+        if (question.empty())
+          instants = std::move(all);
+        return question;
+      };
+      return added;
+    }
+
     void declare_uniaxial(Section &particles, ParticleEventSection &particle_event)
     {
       using Source        = ParticleEventSection::Source;
@@ -31,7 +75,7 @@ namespace apps
       u.flag("Grip lateral motion blocked", particle_event.lateral_blocked)
         .means("Grips hold their particles sideways too");
       u.flag("Grip rotation blocked", particle_event.spin_blocked).means("Grips keep their particles from spinning");
-      declare_list(u, "Instants", particle_event.instants, "-", Need::required)
+      declare_instants(u, particle_event.instants)
         .means("Strains at which the state is handed over, separated by commas, all of one sign; \"a > b\": strained "
                "to a and "
                "then led back to b")
@@ -53,7 +97,7 @@ namespace apps
         .means("Bottom particles within half of it of a support cannot move up or down");
       i.number("Impactor radius", particle_event.impact.impactor_radius, "m", Range::positive(), Need::required)
         .means("Of the sphere");
-      declare_list(i, "Impactor velocities", particle_event.velocities, "m/s", Need::required)
+      declare_numbers(i, "Impactor velocities", particle_event.velocities, "m/s", "numbers above 0", Need::required)
         .means("One run each, numbers above 0 [m/s], separated by commas");
       i.number("Rest damping", particle_event.impact.rest_damping, "-", Range::between(1e-3, 0.99), Need::optional)
         .means("Local damping once the impactor has left");
@@ -72,7 +116,7 @@ namespace apps
     s.choice("Source", particle_event.source,
              {{"file", Source::file}, {"uniaxial", Source::uniaxial}, {"impact", Source::impact}}, Need::required)
       .means("file: discrete states saved before; uniaxial: a specimen between grips; impact: a beam hit by a sphere");
-    s.text("Files", particle_event.files, Need::required)
+    declare_names(s, "Files", particle_event.files, Need::required)
       .means("Saved discrete states (HDF5), separated by commas")
       .only_if([&particle_event] { return particle_event.source == Source::file; }, "Particles/Source = file")
       .type = "list of files";

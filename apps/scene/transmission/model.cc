@@ -40,9 +40,9 @@ namespace apps
     s.integer("Seed", model.common.medium.seed, "-", Range::between(0, 1000000), Need::optional)
       .means("Of the spheres' packing, and of what Scatter says");
     s.flag("Shear", model.common.shear).means("Waves of shear, not of compression; in a strip");
-    declare_list(s, "Wavelengths", model.wavelengths, "m", Need::required)
+    declare_numbers(s, "Wavelengths", model.wavelengths, "m", "numbers", Need::required)
       .means("[m], four spacings at least, separated by commas");
-    s.text("Methods", model.methods, Need::optional)
+    declare_names(s, "Methods", model.methods, Need::optional)
       .means("Of the coupling, separated by commas: " + wave_method_names());
     s.integer("Element size", model.common.element, "-", Range::between(1, 64), Need::optional)
       .means("Of the continuum, over the spacing");

@@ -125,7 +125,7 @@ namespace fem
 
     const Parameters &parameters() const noexcept { return p; }
 
-    /// Where a strain leads by plasticity alone, which does not know of damage; derivatives are with that strain.
+    /// Where a strain drives by plasticity alone, which does not know of damage; derivatives are with that strain.
     struct March
     {
       base::Voigt elastic, plastic; // strains
