@@ -115,12 +115,12 @@ namespace coupling
         if (kept)
           save();
         // Before looking, which puts vertices to where nodes are: that is work, too.
-        const double before = largest_ratio > 1 ? made() : 0;
+        const double before = largest_ratio > 1 ? spurious() : 0;
         look();
         const WindowSteps taken = take(next_window(rest, ratio));
         if (largest_ratio == 1)
           return taken;
-        const double made_now = made() - before;
+        const double made_now = spurious() - before;
         if (!kept || !sub_cycling.loses_too_much(taken, made_now))
           {
             sub_cycling.note(taken, made_now);
@@ -365,6 +365,7 @@ namespace coupling
     visitor.scalar("stiffest_contacts", stiffest);
     visitor.scalar("last_particle_step", last_particle_step);
     visitor.scalar("last_solid_step", last_solid_step);
+    visitor.scalar("windows_taken_back", windows_taken_back);
     sub_cycling.visit_state(visitor);
     for (const auto &c : couplings)
       c->visit_state(visitor);

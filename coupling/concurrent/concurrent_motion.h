@@ -8,6 +8,7 @@
 #include "coupling/surface/surface_coupling.h"
 #include "coupling/volume/volume_coupling.h"
 
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <vector>
@@ -61,8 +62,8 @@ namespace coupling
      * @param drive_state what `drive` remembers besides the specimen; empty: nothing
      */
     void check_windows(std::function<void(base::StateVisitor &)> drive_state = {});
-    /** How many have been taken back so far, since this process began. */
-    int taken_back() const { return windows_taken_back; }
+    /** How many have been taken back so far. */
+    std::int64_t taken_back() const { return windows_taken_back; }
 
     /**
      * Longest step of the solid now, contacts included [s]: 2 s / sqrt(omega^2 + max_i sum_c k_c N_i / m_i), omega its own largest
@@ -123,7 +124,7 @@ namespace coupling
     double                                             stiffest  = 0; ///< sum of added eigenvalues so far [1/s^2]
     double                                    last_particle_step = 0, last_solid_step = 0; ///< [s]; 0: none yet
     bool                                      checked            = false;                  ///< see check_windows()
-    int                                       windows_taken_back = 0;
+    std::int64_t                              windows_taken_back = 0;
     std::function<void(base::StateVisitor &)> drive_state;
     base::Column                              between; ///< couplings and drive, as saved
   };

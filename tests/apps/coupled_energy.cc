@@ -151,13 +151,17 @@ TEST_CASE("Checked windows keep a hard blow from losing what the last window cou
   folder.file("x.prm", collision);
   std::vector<std::string> hard = {"Time/Largest ratio=100", "Time/Step factor=0.003", "Time/Sub-cycling loss=1e-4",
                                    "Couplings/block/Energy limit=1", "Couplings/block/Effective modulus=1e9"};
-  const auto               lost = [&] {
+  int                      taken_back = 0;
+  const auto               lost       = [&] {
     const Results found = results_of(folder, "x.prm", hard);
     std::filesystem::remove_all(folder / "results");
+    taken_back = found.summary["cost"]["windows_taken_back"];
     return -found.series.column("block_spurious").back() / found.series.column("energy_particles_initial").back();
   };
   const double blind = lost();
   CHECK(blind > 5e-4); // five times what is allowed
+  CHECK(taken_back == 0);
   hard.emplace_back("Time/Checked windows=true");
   CHECK(std::fabs(lost()) < 2e-4); // single steps, which are not taken back, lose besides
+  CHECK(taken_back > 0);
 }

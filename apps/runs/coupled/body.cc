@@ -241,6 +241,7 @@ namespace apps
       std::size_t           elements() const override { return solid->mesh().triangulation->n_global_active_cells(); }
       std::size_t           unknowns() const override { return solid->dofs().n_dofs(); }
       std::int64_t          windows() const override { return window_count; }
+      std::int64_t          windows_taken_back() const override { return both.taken_back(); }
       const ContactFigures &interface() const override { return figures; }
 
       double solid_mass_within(const double time) const override

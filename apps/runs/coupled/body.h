@@ -50,6 +50,7 @@ namespace apps
     virtual std::size_t           elements() const                     = 0;
     virtual std::size_t           unknowns() const                     = 0;
     virtual std::int64_t          windows() const                      = 0; ///< taken
+    virtual std::int64_t          windows_taken_back() const           = 0; ///< and taken again with fewer steps
     virtual const ContactFigures &interface() const                    = 0;
     /** What the impedances of particles and solid reflect, whatever joins them; "" where the medium is not known. */
     virtual std::string text_of_mismatch() const = 0;

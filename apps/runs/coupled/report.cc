@@ -113,6 +113,7 @@ namespace apps
             {"elements", body.elements()},
             {"unknowns", body.unknowns()},
             {"windows", body.windows()},
+            {"windows_taken_back", body.windows_taken_back()},
             {"particle_steps", specimen.steps()},
             {"stable_step_of_solid", steps.solid},
             {"stable_step_of_particles", steps.particles},
@@ -142,8 +143,9 @@ namespace apps
     if (model.particles.bonded())
       text += BreakResults{body.particles().specimen(), {}}.text();
     text += common().text();
-    text += fmt::format("cost         {}, {} windows with {} threads\n", duration_text(wall_seconds), body.windows(),
-                        omp_get_max_threads());
+    const std::int64_t again = body.windows_taken_back();
+    text += fmt::format("cost         {}, {} windows{} with {} threads\n", duration_text(wall_seconds), body.windows(),
+                        again > 0 ? fmt::format(", {} taken back,", again) : "", omp_get_max_threads());
     return text;
   }
 } // namespace apps

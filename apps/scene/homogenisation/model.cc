@@ -2,6 +2,7 @@
 
 #include "apps/scene/entries/specimen.h"
 #include "apps/scene/length_unit_entry.h"
+#include "apps/scene/number_list.h"
 #include "apps/scene/section.h"
 
 namespace apps
