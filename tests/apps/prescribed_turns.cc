@@ -147,18 +147,10 @@ TEST_CASE("Turns that mean nothing are refused with the place", "[apps][particle
                       Contains("in two dimensions a group turns about z"));
 }
 
-TEST_CASE("The torque that twists eight spheres is that of their bonds about the axis", "[apps][particles]")
+namespace
 {
-  // Two layers of four spheres, each layer held as a rigid body: four bonds along z, at sqrt(2) R from the axis.
-  const double        R = 1e-3, E = 1e9, kappa = 2.5, rate = 0.5;
-  const ScratchFolder folder;
-  std::string         spheres;
-  for (const double z : {0.0, 2 * R})
-    for (const double y : {-R, R})
-      for (const double x : {-R, R})
-        spheres += std::to_string(x) + " " + std::to_string(y) + " " + std::to_string(z) + " 0.001\n";
-  folder.file("spheres.txt", spheres);
-  folder.file("x.prm", R"(set Kind = particles
+  /** Layers of spheres.txt, one held and one that turns about z. */
+  const char *const two_layers = R"(set Kind = particles
 subsection Specimen
   set Source            = file
   set File              = spheres.txt
@@ -233,7 +225,21 @@ subsection Output
   set Samples   = 1
   set Snapshots = 0
 end
-)");
+)";
+} // namespace
+
+TEST_CASE("The torque that twists eight spheres is that of their bonds about the axis", "[apps][particles]")
+{
+  // Two layers of four spheres, each layer held as a rigid body: four bonds along z, at sqrt(2) R from the axis.
+  const double        R = 1e-3, E = 1e9, kappa = 2.5, rate = 0.5;
+  const ScratchFolder folder;
+  std::string         spheres;
+  for (const double z : {0.0, 2 * R})
+    for (const double y : {-R, R})
+      for (const double x : {-R, R})
+        spheres += std::to_string(x) + " " + std::to_string(y) + " " + std::to_string(z) + " 0.001\n";
+  folder.file("spheres.txt", spheres);
+  folder.file("x.prm", two_layers);
   const Results found = results_of(folder, "x.prm");
   // Forces are those of the last step's start.
   const double time  = found.series.column("time").back();

@@ -9,13 +9,12 @@
 #include "apps/runs/continuum/snapshot.h"
 #include "apps/runs/continuum/solid.h"
 #include "apps/runs/coupled/energy_watch.h"
+#include "apps/runs/coupled/pictures.h"
 #include "apps/runs/coupled/taken_places.h"
-#include "apps/specimens/specimen_picture.h"
 #include "coupling/concurrent/concurrent_motion.h"
 #include "coupling/volume/overlap_medium.h"
 #include "dem/facets/surface.h"
 #include "fem/mesh/point_in_space.h"
-#include "postprocess/pictures/specimen_picture.h"
 
 #include <Eigen/Geometry>
 #include <fmt/format.h>
@@ -23,7 +22,6 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <optional>
 
 namespace apps
 {
@@ -32,21 +30,6 @@ namespace apps
   namespace
   {
     constexpr const char *axes[3] = {"_x", "_y", "_z"};
-
-    /** Particles that a cut meets. */
-    std::vector<postprocess::PictureCircle> circles_in(const SolidCut &cut, const dem::ParticleOutput &particles)
-    {
-      std::vector<postprocess::PictureCircle> circles;
-      for (std::size_t i = 0; i < particles.position.size(); ++i)
-        {
-          const Vector3d &at    = particles.position[i];
-          const double    off   = cut.in_space ? at[cut.across] - cut.position : 0.0;
-          const double    round = particles.radius[i] * particles.radius[i] - off * off;
-          if (round > 0)
-            circles.push_back({{at[cut.right], at[cut.up]}, std::sqrt(round)});
-        }
-      return circles;
-    }
 
     /** Energy that different media reflect, beyond which a scene is doubted. */
     constexpr double largest_mismatch = 0.01;
@@ -95,7 +78,9 @@ namespace apps
                             coupling.particles(body.all_groups()),
                             {coupling.bond.within, coupling.bond.links(what.particles.physics)},
                             coupling.spreading});
-        refuse_shared_couplings();
+        model.couplings.refuse_shared(body.all_groups(), [this](const std::string &a, const std::string &b) {
+          return solid->mesh().boundary(a) == solid->mesh().boundary(b);
+        });
         model.check_columns(columns(), told());
       }
 
@@ -329,43 +314,13 @@ namespace apps
 
       std::string draw(const std::filesystem::path &file, const std::string &title) const override
       {
-        const dem::ParticleOutput               particles = body.specimen().particles();
-        SolidCut                                cut       = cut_of(*solid, motion->displacement());
-        std::vector<postprocess::PictureCircle> circles   = circles_in(cut, particles);
-        if (circles.empty() && !particles.position.empty() && dim == 3)
-          {
-            // A picture of both: through the particle that is nearest to the cut.
-            const auto place   = [&cut](const Vector3d &x) { return x[cut.across]; };
-            const auto nearest = std::min_element(
-              particles.position.begin(), particles.position.end(), [&](const Vector3d &a, const Vector3d &b) {
-                return std::fabs(place(a) - cut.position) < std::fabs(place(b) - cut.position);
-              });
-            cut     = cut_of(*solid, motion->displacement(), static_cast<unsigned int>(cut.across), place(*nearest));
-            circles = circles_in(cut, particles);
-          }
-        return draw_cut(file, cut, title, std::move(circles));
+        return draw_solid_and_particles(*solid, motion->displacement(), body.specimen().particles(), file, title);
       }
 
       std::string draw_cracks(const std::filesystem::path &file, const std::string &title) const override
       {
-        const dem::ParticleOutput particles = body.specimen().particles();
-        postprocess::PictureSlab  slab;
-        slab.magnify         = magnification(particles);
-        slab.materials       = material_names;
-        fem::Vector enlarged = motion->displacement();
-        enlarged *= slab.magnify;
-        enlarged.update_ghost_values();
-        const SolidCut cut = cut_of(*solid, enlarged);
-        slab.axis          = cut.across;
-        for (const postprocess::PictureFacet &facet : cut.facets)
-          {
-            auto &corners = slab.bodies.emplace_back();
-            for (const auto &corner : facet.corner)
-              corners.emplace_back(corner[0], corner[1]);
-          }
-        return postprocess::picture_of_specimen(
-          file, particles, body.specimen().links(),
-          fmt::format("{} at {:.3g} s, displacements x {}", title, time(), slab.magnify), slab);
+        return draw_cracks_in_solid(*solid, motion->displacement(), body.specimen(), material_names, file,
+                                    fmt::format("{} at {:.3g} s", title, time()));
       }
 
       void visit_state(RunState &state) override
@@ -383,47 +338,6 @@ namespace apps
       }
 
     private:
-      /** Two couplings of one face with one particle would push twice. @throws base::InputError */
-      void refuse_shared_couplings() const
-      {
-        const auto &all = model.couplings.couplings;
-        for (auto one = all.begin(); one != all.end(); ++one)
-          for (auto other = std::next(one); other != all.end(); ++other)
-            if (share_a_boundary(*one, *other))
-              {
-                const std::optional<std::size_t> both_push = shared_particle(*one, *other);
-                if (both_push)
-                  throw base::InputError(
-                    fmt::format("Couplings/{} and Couplings/{}: both are of particle {} and of the "
-                                "same boundary: it would be pushed twice. Give them different "
-                                "Groups or a different Boundary.",
-                                one->name, other->name, *both_push + 1));
-              }
-      }
-
-      bool share_a_boundary(const CouplingSection &one, const CouplingSection &other) const
-      {
-        const auto names = one.boundaries, others = other.boundaries;
-        const auto same = [this](const std::string &a, const std::string &b) {
-          return solid->mesh().boundary(a) == solid->mesh().boundary(b);
-        };
-        return names.empty() || others.empty() ||
-               std::find_first_of(names.begin(), names.end(), others.begin(), others.end(), same) != names.end();
-      }
-
-      /** Packing number of one that both are of. */
-      std::optional<std::size_t> shared_particle(const CouplingSection &one, const CouplingSection &other) const
-      {
-        const auto members = [&](const CouplingSection &c) {
-          const auto named = c.particles(body.all_groups());
-          return named.empty() ? body.all_groups().at(GroupNames::all) : named;
-        };
-        const auto               a = members(one), b = members(other); // sorted
-        std::vector<std::size_t> both_have;
-        std::set_intersection(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(both_have));
-        return both_have.empty() ? std::nullopt : std::optional<std::size_t>(both_have.front());
-      }
-
       void add(const HandshakeSection &handshake)
       {
         // Of the elements whose centre lies in the overlap or within; where it is narrower than they are, of those that reach into it.

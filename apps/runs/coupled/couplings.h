@@ -7,6 +7,7 @@
 #include "base/entry_path.h"
 #include "coupling/surface/surface_coupling.h"
 
+#include <functional>
 #include <list>
 #include <string>
 #include <vector>
@@ -37,5 +38,8 @@ namespace apps
 
     /** @param alone nothing else couples. @throws base::InputError where nothing is coupled, or a group that is not there */
     void check(const base::EntryPath &root, const GroupNames &groups, bool alone) const;
+    /** @param same whether two names are of one boundary. @throws base::InputError where two would push a particle from one face, twice */
+    void refuse_shared(const ParticleGroups                                                  &groups,
+                       const std::function<bool(const std::string &a, const std::string &b)> &same) const;
   };
 } // namespace apps

@@ -1,0 +1,31 @@
+#pragma once
+
+#include "dem/specimen/observation.h"
+#include "fem/solid/solid.h"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace apps
+{
+  /**
+   * A section of the solid through the plane of loading with the particles that it meets; in space, where it meets none, through the
+   * particle that is nearest to it. @return what is missing, "" if nothing
+   */
+  template <int dim>
+  std::string draw_solid_and_particles(const fem::Solid<dim>       &solid,
+                                       const fem::Vector           &displacement,
+                                       const dem::ParticleOutput   &particles,
+                                       const std::filesystem::path &file,
+                                       const std::string           &title);
+
+  /** Particles with their cracks, and the solid's outlines, both with magnified displacements. @return likewise */
+  template <int dim>
+  std::string draw_cracks_in_solid(const fem::Solid<dim>          &solid,
+                                   const fem::Vector              &displacement,
+                                   const dem::ObservedSpecimen    &specimen,
+                                   const std::vector<std::string> &material_names,
+                                   const std::filesystem::path    &file,
+                                   const std::string              &title);
+} // namespace apps
