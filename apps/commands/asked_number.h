@@ -17,6 +17,6 @@ namespace apps
     Range       range;
   };
 
-  /** An option for a number that is asked about as those of scenes are (usual_sizes.h): its unit may be named, --radius "0.5 m". */
+  /** An option for a number that is questioned as those of scenes are (usual_sizes.h): its unit may be named, --radius "0.5 m". */
   CLI::Option *add_asked_number(CLI::App &command, const AskedNumber &what, double &member, const std::string &meaning);
 } // namespace apps

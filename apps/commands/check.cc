@@ -46,7 +46,7 @@ namespace apps
       return exit_success;
     }
 
-    /** Every scene is forecast; how many sets it takes nobody knows before, but how many at most. */
+    /** Every scene is forecast; how many sets it takes is unknown beforehand; the most is known. */
     int check_calibration(const SceneOptions &options)
     {
       const auto      file = read_calibration(options.scene, options.overrides);

@@ -19,7 +19,7 @@ namespace apps
   {
     const dem::LinkLawKind                                    *law      = nullptr; ///< the chosen one
     const dem::LinkLawKind                                    *contacts = nullptr; ///< likewise; none: that of `law`
-    bool                                                       given    = false;   ///< somebody has chosen it
+    bool                                                       given    = false;   ///< it was chosen explicitly
     std::map<std::string, std::shared_ptr<dem::LinkConstants>> constants;          ///< of every law, by its name
 
     /** From code: a law by its constants, e.g. dem::LinearContactParameters. */
@@ -99,7 +99,7 @@ namespace apps
     std::vector<const dem::LinkLawKind *> laws_of_pairs() const;
     /** All materials by one law, which all pairs obey, or the contacts of all. */
     dem::LinkMaterials by_law(const dem::LinkLawKind &kind) const;
-    /** All materials by one of several laws: what obeys another one has constants of this one that nobody looks at. */
+    /** All materials by one of several laws: what obeys another one has constants of this one that are not used. */
     dem::LinkMaterials by_law(const dem::LinkLawKind                      &kind,
                               const std::vector<const dem::LinkLawKind *> &of_pairs) const;
   };

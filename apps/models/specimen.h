@@ -85,7 +85,7 @@ namespace apps
     bool        bonded           = true; ///< false: by its law no particle is linked, so that pieces mean nothing
 
     void check(const base::EntryPath &root, int dimension) const;
-    /** Of the generator, for the body that is asked for, or the cell of which it is like. */
+    /** Of the generator, for the requested body, or the cell of which it is like. */
     dem::CompactionParameters compaction() const;
     /** Whether the box is compacted between plates instead of being cut out of a cell. */
     bool is_moulded() const { return source == Source::generator && has_box() && generator.faces == Faces::moulded; }

@@ -19,7 +19,7 @@ namespace apps
     std::uint64_t  digest; ///< postprocess::digest_of_file()
   };
 
-  /** What a run is asked besides its scene. */
+  /** Options of a run besides its scene. */
   struct RunRequest
   {
     std::filesystem::path    output_folder;   ///< "": no file is written, and an interrupted run cannot go on

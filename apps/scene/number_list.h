@@ -8,7 +8,7 @@
 namespace apps
 {
   /**
-   * Declare a text of numbers between commas (and semicolons), e.g. sizes with their fractions, strains, or corners. They are asked about as single numbers are
+   * Declare a text of numbers between commas (and semicolons), e.g. sizes with their fractions, strains, or corners. Unusual sizes are questioned as those of single numbers are
    * (usual_sizes.h), and each may name its unit, which the member then does not have.
    */
   Entry &

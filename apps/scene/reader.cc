@@ -88,7 +88,7 @@ namespace apps
         collect_missing(*subsection, missing);
     }
 
-    /** All at once, so that nobody has to ask again for each. */
+    /** All in one message. */
     void refuse_missing(const Section &section, const std::string &source)
     {
       std::string missing;

@@ -15,7 +15,7 @@ namespace apps
    *
    * @param source the scene file (or what else the values come from), for messages about what is missing in it.
    * @throws base::InputError naming the place and the nearest valid name for an unknown section or key; the place, what
-   * was found and what is allowed for a wrong value; and what to add for a needed constant that nobody set.
+   * was found and what is allowed for a wrong value; and what to add for a needed constant that is not set.
    */
   void assign(Section &root, const std::vector<Assignment> &assignments, const std::string &source);
 

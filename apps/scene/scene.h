@@ -35,7 +35,7 @@ namespace apps
     virtual bool shares_ranks() const { return false; }
 
     /**
-     * Do the work, and write the results where files are asked for. A scene may be run again, and several at a time in threads of one
+     * Do the work, and write the results where files are requested. A scene may be run again, and several at a time in threads of one
      * process; those with a solid one after the other, as MPI is the process's.
      * @return what was found; where it was interrupted, with a checkpoint left if there is a folder
      * @throws base::InputError before the output folder is touched; postprocess::OutputError; base::NumericalError.

@@ -25,7 +25,7 @@ namespace apps
       const char              *question;
     };
 
-    // The first that holds is asked. Bounds are generous: soft rubber has a modulus of 1e6 Pa, diamond one of 1.2e12 Pa. A strength or
+    // The first that holds is the question. Bounds are generous: soft rubber has a modulus of 1e6 Pa, diamond one of 1.2e12 Pa. A strength or
     // limit that is far beyond all solids is a word, too: it never breaks.
     const std::vector<Doubt> &all_doubts()
     {

@@ -4,7 +4,7 @@
 
 namespace statistics
 {
-  /** Distance of axial points at which the variance of prediction hangs on the distance from the centre alone: 2^(factors / 4). */
+  /** Distance of axial points at which the variance of prediction depends on the distance from the centre alone: 2^(factors / 4). */
   double rotatable_distance(int factors);
 
   /**

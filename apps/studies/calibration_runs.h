@@ -62,7 +62,7 @@ namespace apps
 
     /**
      * "Material/flat-joint/Friction angle=0.3 degrees": a value of the search, with the unit where a person would be asked whether it is meant,
-     * which is asked of bounds and start alone.
+     * which is evaluated from bounds and start alone.
      */
     std::string change_of(const std::string &scene, const std::string &entry, double value) const;
 

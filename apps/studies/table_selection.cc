@@ -50,7 +50,7 @@ namespace apps
       std::sort(columns.begin(), columns.end());
       const auto twice = std::adjacent_find(columns.begin(), columns.end());
       if (twice != columns.end())
-        throw base::InputError(file.string() + ": the column " + *twice + " is asked for twice.");
+        throw base::InputError(file.string() + ": the column " + *twice + " is given twice.");
     }
 
     /** Everything that the table says of a run but its number. */

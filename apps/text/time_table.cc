@@ -62,7 +62,7 @@ namespace apps
       return static_cast<std::size_t>(found - table.names.begin());
     }
 
-    /** The one that is asked for, or the only one that is not the time. */
+    /** The requested one, or the only one that is not the time. */
     std::size_t place_of_quantity(const postprocess::CsvTable &table, const std::string &asked, const std::size_t time)
     {
       if (!asked.empty())

@@ -303,7 +303,7 @@ namespace coupling
     point.fresh.reset();
     point.record.strain = point.law_strain;
     point.stress        = point.of_law.stress;
-    point.known         = false; // what is asked next starts from here
+    point.known         = false; // the next evaluation starts from here
     if (!news.failure.empty())
       throw base::NumericalError(news.failure);
     if (!news.normal.isZero(0))

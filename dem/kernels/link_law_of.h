@@ -24,7 +24,7 @@ namespace dem
   LinkPass link_pass_in_space(bool rotations, Mixture mixture);
 
   /**
-   * Makes of a law, as it is written in its own file, the LinkLaw that everybody else works with.
+   * Makes of a law, as it is written in its own file, the LinkLaw that all other code works with.
    *
    * `Law` is a type without data, derived from LinkLawDefaults. doc/theory/link-laws.md says what it declares:
    *

@@ -9,7 +9,7 @@
 namespace dem
 {
   /**
-   * Links of which each pair of materials obeys a law of its own kind: a bond law in mortar, another one at its interfaces. To everybody else
+   * Links of which each pair of materials obeys a law of its own kind: a bond law in mortar, another one at its interfaces. To all other code
    * it is one law, whose history holds the columns of all of them, one law after the other; a link uses its own law's, the others stay
    * zero. Its name is those of all, each once: "parallel-bond,contact-bond". Queries of a link are answered by its own law. In the link pass each law goes through its own blocks (LinkSet::first_block).
    */

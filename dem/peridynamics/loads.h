@@ -6,7 +6,7 @@
 
 namespace dem::peridynamics
 {
-  /** What acts on a body. Both functions are asked for a load factor, or for a time [s]. */
+  /** What acts on a body. Both functions take a load factor, or a time [s]. */
   struct Loads
   {
     /** Add the forces [N]. @param u displacement by which tractions turn; nullptr: those of the body at rest */

@@ -24,7 +24,7 @@ namespace dem::peridynamics
     /**
      * Of the body as deformed.
      * @param held components that stay where they are
-     * @return whether there is a factor, where one is asked for: none of a body far from stable
+     * @return whether there is a factor, where one is requested: none of a body far from stable
      */
     bool assemble(const Bonds &bonds, Kinematics kinematics, const Held &held, const Field &u);
 

@@ -1,4 +1,4 @@
-// Points of a solid that are asked together, and what all of them remember.
+// Points of a solid that are evaluated together, and what all of them remember.
 #include "base/flat_state.h"
 #include "fem/points/gathered_points.h"
 #include "fem/solid/element_sweep.h"

@@ -16,7 +16,7 @@ namespace postprocess
     void paragraph(const std::string &text);
     void list(const std::vector<std::string> &lines); ///< nothing where there is none
     void lines(const std::string &text);              ///< as they stand, in letters of one width
-    /** The same, folded away until they are asked for. */
+    /** The same, folded away until opened. */
     void folded(const std::string &summary, const std::string &lines);
     /** The first row names the columns; numbers are set to the right. */
     void table(const std::vector<std::vector<std::string>> &rows);

@@ -21,7 +21,7 @@ namespace postprocess
    */
   void draw_with_gnuplot(const std::filesystem::path &destination, const GnuplotJob &job);
 
-  /** From now on a picture is given up as soon as this says so: it is asked every few milliseconds while gnuplot draws. */
+  /** From now on a picture is given up as soon as this says so: it is called every few milliseconds while gnuplot draws. */
   void stop_drawing_if(std::function<bool()> asked);
 
   /** A text as gnuplot reads it back literally: between single quotes. */

@@ -24,7 +24,7 @@ namespace postprocess
     bool                mark_peak = false; ///< mark the point of largest y and give its place in the legend
   };
 
-  /** Colour of the series of that number, from 0, where none is asked for. */
+  /** Colour of the series of that number, from 0, where none is given. */
   const char *series_colour(std::size_t number);
 
   /** One pair of axes. */

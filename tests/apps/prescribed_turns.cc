@@ -21,9 +21,9 @@ using Eigen::Vector3d;
 namespace
 {
   /** Two balls of 10 and 5 mm that touch nobody. */
-  struct LedBalls
+  struct DrivenBalls
   {
-    explicit LedBalls(const std::vector<std::string> &more)
+    explicit DrivenBalls(const std::vector<std::string> &more)
     {
       declare(root, model);
       std::vector<std::string> entries = {"Specimen/Source=none",
@@ -61,7 +61,7 @@ namespace
 
 TEST_CASE("Particles driven by the field of a turn stay on their circles", "[apps][particles]")
 {
-  LedBalls     balls({"Motion/all/Velocity x=-100*y", "Motion/all/Velocity y=100*x", "Motion/all/Velocity z=0"});
+  DrivenBalls     balls({"Motion/all/Velocity x=-100*y", "Motion/all/Velocity y=100*x", "Motion/all/Velocity z=0"});
   const double radii[2] = {0.05, std::hypot(0.02, 0.03)};
   balls.body->advance_to(2 * M_PI / 100 * 10); // ten turns
   for (std::size_t i = 0; i < 2; ++i)
@@ -77,7 +77,7 @@ TEST_CASE("A field that drives particles is that of the place where they are in 
           "[apps][particles]")
 {
   // dx/dt = 50 x: the implicit midpoint rule grows by (1 + h)/(1 - h) a step, h = 50 dt/2.
-  LedBalls     balls({"Motion/large/Velocity x=50*x"});
+  DrivenBalls     balls({"Motion/large/Velocity x=50*x"});
   const double h = 25 * balls.body->specimen().time_step();
   balls.body->advance(100);
   CHECK(balls.place(0).x() == Approx(0.05 * std::pow((1 + h) / (1 - h), 100)).epsilon(1e-10));
@@ -86,7 +86,7 @@ TEST_CASE("A field that drives particles is that of the place where they are in 
 TEST_CASE("A group turns about an axis that moves, as one rigid body, spins included", "[apps][particles]")
 {
   const Vector3d centre(0.01, -0.02, 0.03), rate(3, -40, 25), speed(0.5, 0, -0.2);
-  LedBalls       balls({"Motion/all/Turn x=6*t", "Motion/all/Turn y=-80*t", "Motion/all/Turn z=50*t",
+  DrivenBalls       balls({"Motion/all/Turn x=6*t", "Motion/all/Turn y=-80*t", "Motion/all/Turn z=50*t",
                         "Motion/all/Centre=0.01, -0.02, 0.03", "Motion/all/Velocity x=0.5", "Motion/all/Velocity z=-0.2"});
   const Vector3d start[2] = {balls.place(0), balls.place(1)};
   balls.body->advance_to(0.3);
@@ -102,7 +102,7 @@ TEST_CASE("A group turns about an axis that moves, as one rigid body, spins incl
 
 TEST_CASE("A turn about one axis leaves free what it does not move", "[apps][particles]")
 {
-  LedBalls balls({"Motion/small/Turn z=30", "Gravity/Acceleration=0, 0, -9.81", "Gravity/Initial equilibrium=none",
+  DrivenBalls balls({"Motion/small/Turn z=30", "Gravity/Acceleration=0, 0, -9.81", "Gravity/Initial equilibrium=none",
                   "Probes/weight/Quantity=reaction", "Probes/weight/Group=small", "Probes/weight/Component=z"});
   balls.body->advance_to(0.02);
   CHECK(balls.body->row().at(1) == 0); // it falls, nothing holds it
@@ -117,14 +117,14 @@ TEST_CASE("A group that turns goes on from its state to the same bits", "[apps][
 {
   const std::vector<std::string> motion = {"Motion/all/Turn y=20*sin(30*t)", "Motion/all/Turn z=7",
                                            "Motion/all/Velocity x=0.1*t", "Motion/all/Centre=0.02, 0, 0.01"};
-  LedBalls                       whole(motion), resumed(motion);
+  DrivenBalls                       whole(motion), resumed(motion);
   whole.body->advance(100);
   base::Column          state;
   base::FlatStateWriter writer(state);
   whole.body->visit_state(writer);
   base::FlatStateReader reader(state);
   resumed.body->visit_state(reader);
-  for (const LedBalls *balls : {&whole, &resumed})
+  for (const DrivenBalls *balls : {&whole, &resumed})
     balls->body->advance(100);
   for (std::size_t i = 0; i < 2; ++i)
     CHECK(whole.place(i) == resumed.place(i));
@@ -142,7 +142,7 @@ TEST_CASE("Turns that mean nothing are refused with the place", "[apps][particle
   refused({"Motion/ball/Turn z=100", "Motion/ball/Spin z=1"}, "the turn prescribes it already");
   refused({"Motion/ball/Turn z=100", "Motion/all/Velocity x=1"}, "which prescribes the same");
   refused({"Motion/ball/Centre=0, 0, 1"}, "the group does not turn");
-  REQUIRE_THROWS_WITH(LedBalls({"Physics/Dimension=2", "Specimen/Thickness=0.01",
+  REQUIRE_THROWS_WITH(DrivenBalls({"Physics/Dimension=2", "Specimen/Thickness=0.01",
                                 "More particles/small/Centre=-0.02, 0.03, 0", "Motion/small/Turn x=1"}),
                       Contains("in two dimensions a group turns about z"));
 }
@@ -256,7 +256,7 @@ TEST_CASE("The torque that twists eight spheres is that of their bonds about the
 
 TEST_CASE("The torque of a held group is that of its weights about the given point", "[apps][particles]")
 {
-  LedBalls     balls({"Motion/all/Velocity x=0", "Motion/all/Velocity y=0", "Motion/all/Velocity z=0",
+  DrivenBalls     balls({"Motion/all/Velocity x=0", "Motion/all/Velocity y=0", "Motion/all/Velocity z=0",
                       "Gravity/Acceleration=0, 0, -9.81", "Gravity/Initial equilibrium=none",
                       "Probes/torque/Quantity=reaction torque", "Probes/torque/Point=0.01, 0, 0",
                       "Probes/torque/Component=y"});

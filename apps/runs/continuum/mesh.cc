@@ -146,7 +146,7 @@ namespace apps
           return fem::make_shape<dim>(bar, options);
         }
       }
-    throw std::logic_error("a source of meshes that nobody makes");
+    throw std::logic_error("a source of meshes without a builder");
   }
 
   template fem::Mesh<2> make_mesh(const MeshSection &, MPI_Comm);

@@ -58,7 +58,7 @@ namespace apps
     std::string                     file;
     bool                            several_bodies = false;
     bool                            notch          = false; ///< doubled nodes are its faces
-    std::optional<base::LengthUnit> length_unit;            ///< of the file; empty: nobody has said
+    std::optional<base::LengthUnit> length_unit;            ///< of the file; empty: not given
     fem::ElementFamily              family      = fem::ElementFamily::hypercube;
     std::int64_t                    refinements = 0;
     std::array<double, 3>           box_size{};

@@ -13,7 +13,7 @@
 
 namespace apps
 {
-  /** A solid in explicit motion: what does not hang on how long the steps are. */
+  /** A solid in explicit motion: what does not depend on the length of steps. */
   template <int dim>
   class MotionAnalysis : public ContinuumAnalysis<dim>
   {

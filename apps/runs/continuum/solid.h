@@ -21,7 +21,7 @@ namespace apps
     return point;
   }
 
-  /** What somebody else has of a solid's place. */
+  /** What others occupy of a solid's place. */
   struct TakenPlaces
   {
     std::function<double(const std::array<double, 3> &)>

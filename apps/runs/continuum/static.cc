@@ -223,7 +223,7 @@ namespace apps
       }
 
     private:
-      /** While a step is looked for there is somebody to tell. */
+      /** Reports progress while a step is looked for. */
       struct Speaking
       {
         explicit Speaking(Progress *&speaker)

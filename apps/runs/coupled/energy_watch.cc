@@ -148,7 +148,7 @@ namespace apps
       throw StoppedShort(fmt::format(
         "{}: at {:.6g} s there are {:.3g} J more than has been put in, more than Energy limit = {} of the largest "
         "energy, {:.3g} J: {:.3g} J too many with the particles and their contacts, {:.3g} J with the solid. {}; bonds "
-        "that break while they are pressed leave a contact whose energy nobody put in.",
+        "that break while they are pressed leave a contact whose energy has no source.",
         names_of_couplings(model), now.time, gained, limit, largest, of_particles, of_solid,
         model.largest_ratio > 1 ? "Set Time/Largest ratio = 1" : "Lower Time/Step factor or Continuum/Motion/Safety"));
   }

@@ -76,9 +76,9 @@ namespace apps
     {
       if (!coupling.groups.empty())
         return coupling.particles(groups);
-      std::vector<std::size_t> everybody(all);
-      std::iota(everybody.begin(), everybody.end(), std::size_t{0});
-      return everybody;
+      std::vector<std::size_t> everyone(all);
+      std::iota(everyone.begin(), everyone.end(), std::size_t{0});
+      return everyone;
     }
 
     const dem::Surface *surface_named(const dem::ObservedSpecimen &specimen, const std::string &name)

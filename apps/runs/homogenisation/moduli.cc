@@ -38,7 +38,7 @@ namespace apps
                                ": all centres lie in one plane. For discs give their thickness (--thickness).");
       if (dimension == 2 && !plane)
         throw base::InputError(origin +
-                               ": discs of a thickness are asked for, but the centres do not lie in one plane z. "
+                               ": discs of a thickness are requested, but the centres do not lie in one plane z. "
                                "Leave the thickness out for spheres.");
     }
 

@@ -12,7 +12,7 @@
 
 namespace apps
 {
-  /** What `breccia homogenise` is asked about one packing. */
+  /** The question of `breccia homogenise` about one packing. */
   struct HomogenisationQuestion
   {
     dem::NetworkParameters links;
@@ -58,7 +58,7 @@ namespace apps
   /**
    * @param origin of the packing, for messages
    * A cell that does not resist every strain has an answer too: its stiffness, zero in those strains, without constants.
-   * @throws base::InputError if the packing does not repeat, or lies in a plane while links are asked for in space;
+   * @throws base::InputError if the packing does not repeat, or lies in a plane while links in space are requested;
    *         base::NumericalError if the residual asked for is not reached.
    */
   HomogenisationAnswer

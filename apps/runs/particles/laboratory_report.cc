@@ -165,7 +165,7 @@ namespace apps
                       (test.past_peak() ? "peak: " : "largest stress: ") + broken_criteria(how) +
                       (slower ? ". Lower Laboratory/Speed" :
                                 ". Lower Laboratory/Speed, or see with Laboratory/Check speed whether the strength "
-                                "hangs on it"));
+                                "depends on it"));
     return found;
   }
 

@@ -31,7 +31,7 @@ namespace apps
     ContinuumModel        continuum;
     Study                 study;
 
-    /** Of what the constants of the mapping law belong to; from code where nobody has told: empty. */
+    /** Of what the constants of the mapping law belong to; empty where code has not set it. */
     struct Digests
     {
       std::string                        particles;

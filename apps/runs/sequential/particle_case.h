@@ -49,6 +49,6 @@ namespace apps
   /** Seconds that a case takes to its end, or to that part of it; its first samples are computed. */
   double expected_seconds(ParticleCase &particles, double part = 1);
 
-  /** The all-particle run to the end strain; nullptr if none is asked for. */
+  /** The all-particle run to the end strain; nullptr if none is requested. */
   std::unique_ptr<ParticleCase> make_reference_case(const ParticleEventSection &event, const dem::Packing &packing);
 } // namespace apps

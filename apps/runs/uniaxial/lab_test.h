@@ -82,7 +82,7 @@ namespace apps
     GravitySection    gravity;
     std::int64_t      steps_at_most;
     StepSampling      sampling;
-    bool              shown; ///< snapshots are asked for
+    bool              shown; ///< snapshots are requested
     SpecimenSnapshots snapshots;
     SidewaysStrain    sideways;
   };

@@ -49,7 +49,7 @@ namespace apps
       .means("What becomes of a cell whose tangent has lost ellipticity; in motion, one whose damage has gathered in a "
              "band since its stress began to fall. stop: the run ends with that state; crack "
              "band: it goes on as a layer of its element, the rest of which unloads; refuse: the solver looks for "
-             "another state with shorter steps; go on: what follows hangs on the size of the elements. In motion stop "
+             "another state with shorter steps; go on: what follows depends on the size of the elements. In motion stop "
              "or go on");
     block.flag("Rotations", cells.rotations).means("Particles spin; off: they only translate");
     SpecimenSection::Use use;

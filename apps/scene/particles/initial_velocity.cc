@@ -10,7 +10,7 @@ namespace apps
     root
       .section("Initial velocity",
                "One sub-section per group that moves at the start, named after the group; of two groups with the same "
-               "particle the later one counts. A rigid body takes the motion that is nearest to what is asked of its "
+               "particle the later one counts. A rigid body takes the motion that is nearest to the velocities of its "
                "particles, by their masses")
       .named_sections("GROUP", [&initial_velocity](Section &opened) {
         MotionFormulas &added = initial_velocity.velocities.emplace_back();
