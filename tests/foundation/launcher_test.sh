@@ -202,6 +202,25 @@ scenario_missing_packages_are_installed()
   is calls "$calls" $'apt-get -s install ninja-build nowhere-dev\napt-get install ninja-build nowhere-dev\n'"$full_set_up"
 }
 
+scenario_doc_installs_its_own_packages_and_builds_the_site()
+{
+  mkdir -p "$house/doc/site"
+  printf 'mkdocs command:mkdocs the site\n' >"$house/doc/site/packages.txt"
+  stand_in mkdocs <<<'echo "mkdocs $*" >>"$state/calls"; pwd >"$state/site-folder"'
+  start doc
+  is calls "$calls" $'apt-get -s install mkdocs\napt-get install mkdocs\nmkdocs build --strict --quiet'
+  is status "$status" 0
+  is "folder of mkdocs" "$(<"$state/site-folder")" "$house"
+  says "build/site/index.html"
+  stand_in mkdocs <<<'exit 1'
+  start doc
+  is "status of a failure" "$status" 1
+  says "could not be built"
+  start doc now
+  is "status of an argument" "$status" 2
+  is "calls of an argument" "$calls" ""
+}
+
 scenario_empty_lists_are_updated_first()
 {
   printf 'g++\n' >"$state/installed"

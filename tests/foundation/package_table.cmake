@@ -1,4 +1,5 @@
-# The table of packages in README.md says what packages.txt says: same packages, same reasons, same order.
+# The table of packages in README.md says what packages.txt says: same packages, same reasons, same order; then, in one row, those of
+# the documentation.
 #
 #   cmake -D ROOT=<root> -P package_table.cmake
 cmake_minimum_required(VERSION 3.25)
@@ -11,6 +12,10 @@ foreach(line IN LISTS lines)
   endif()
   list(APPEND expected "| `${CMAKE_MATCH_1}` | ${CMAKE_MATCH_3} |")
 endforeach()
+file(STRINGS "${ROOT}/doc/site/packages.txt" of_site REGEX "^[a-z0-9]")
+list(TRANSFORM of_site REPLACE "^([^ ]+) .*" "`\\1`")
+list(JOIN of_site ", " of_site)
+list(APPEND expected "| ${of_site} | the documentation as a site, installed by `./breccia doc` alone |")
 file(STRINGS "${ROOT}/README.md" found REGEX "^\\| `")
 if(NOT found OR NOT found STREQUAL expected)
   list(JOIN expected "\n" expected)
