@@ -84,7 +84,7 @@ namespace
   };
 } // namespace
 
-TEST_CASE("An element joins the particles once a bond inside it comes near its damage within its reach",
+TEST_CASE("An element joins the particles once a bond inside it comes near its damage, within its reach",
           "[coupling][promotion][volume]")
 {
   Row                      row;
