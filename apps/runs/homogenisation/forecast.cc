@@ -11,7 +11,7 @@ namespace apps
 {
   std::string forecast(const HomogenisationModel &model)
   {
-    const std::vector<double> interaction = model.interactions(), shear = model.shears();
+    const std::vector<double> interaction = model.interaction_ratios, shear = model.shear_ratios;
     const bool                made  = model.source == SpecimenSection::Source::generator;
     const auto                count = static_cast<double>(made ? model.seeds : 1);
     const base::Stopwatch     making;

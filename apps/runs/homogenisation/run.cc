@@ -119,8 +119,8 @@ namespace apps
     nlohmann::json                  json;
     json["made_by"] = "breccia " + version();
     json["cases"]   = nlohmann::json::array();
-    for (const double iota : model.interactions())
-      for (const double ratio : model.shears())
+    for (const double iota : model.interaction_ratios)
+      for (const double ratio : model.shear_ratios)
         {
           if (run.interrupted())
             return run.interrupted_result();

@@ -1,5 +1,6 @@
 #include "apps/scene/continuum/contact_section.h"
 
+#include "apps/scene/number_list.h"
 #include "apps/scene/section.h"
 
 namespace apps

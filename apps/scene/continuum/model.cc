@@ -7,6 +7,7 @@
 #include "apps/scene/continuum/mesh.h"
 #include "apps/scene/entries/contact_figures.h"
 #include "apps/scene/entries/gravity.h"
+#include "apps/scene/number_list.h"
 #include "apps/scene/section.h"
 
 namespace apps

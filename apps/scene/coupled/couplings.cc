@@ -4,6 +4,7 @@
 #include "apps/scene/coupled/bond.h"
 #include "apps/scene/entries/contact_law.h"
 #include "apps/scene/particles/groups.h"
+#include "apps/scene/number_list.h"
 #include "apps/scene/section.h"
 
 namespace apps

@@ -3,6 +3,7 @@
 #include "apps/scene/continuum/model.h"
 #include "apps/scene/entries/output.h"
 #include "apps/scene/peridynamics/model.h"
+#include "apps/scene/number_list.h"
 #include "apps/scene/section.h"
 
 namespace apps
