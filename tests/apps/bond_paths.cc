@@ -167,6 +167,20 @@ TEST_CASE("link-test closes a slit element partly (T5)", "[apps][laws]")
   CHECK(out.column("broken")[0] == 0);
 }
 
+TEST_CASE("link-test bends a slit joint without axial force about its edge, g = R theta", "[apps][laws]")
+{
+  // Nothing presses: the joint touches at its rim alone, so that every row has an answer.
+  const auto out =
+    mortar("flat-joint", ramp("bending_1,normal_force [N]", "0", 4e-4, 8), in_plane({"Elements=3", "Slit fraction=1"}));
+  REQUIRE(out.rows() == 8);
+  for (std::size_t row = 0; row < out.rows(); ++row)
+    {
+      CHECK(out.column("normal_displacement")[row] == Approx(R * out.column("bending_1")[row]).epsilon(1e-5));
+      CHECK(out.column("normal_force")[row] == Approx(0).margin(1e-6));
+      CHECK(out.column("bonded_elements")[row] == 0);
+    }
+}
+
 TEST_CASE("link-test breaks parallel bonds under an eccentric pull that is held (T6)", "[apps][laws]")
 {
   const double published[][2] = {{2, 8000}, {3, 10.472}};
