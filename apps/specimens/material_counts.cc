@@ -49,9 +49,11 @@ namespace apps
       return "";
     std::string of_materials, of_pairs;
     for (std::size_t k = 0; k < names.size(); ++k)
-      of_materials += fmt::format("{}{} {}", k > 0 ? ", " : "", names[k], particles[k]);
+      if (particles[k] > 0)
+        of_materials += fmt::format("{}{} {}", k > 0 ? ", " : "", names[k], particles[k]);
     each_pair([&](const std::int32_t number, const std::string &one, const std::string &other, const std::size_t n) {
-      of_pairs += fmt::format("{}{}-{} {}", number > 0 ? ", " : "", one, other, n);
+      if (n > 0)
+        of_pairs += fmt::format("{}{}-{} {}", number > 0 ? ", " : "", one, other, n);
     });
     return fmt::format("  particles of {}\n  links of     {}\n", of_materials, of_pairs);
   }

@@ -215,4 +215,49 @@ namespace apps
       classes.push_back({fraction[i], low[i], high[i]});
     return classes;
   }
+
+  dem::GradingCurve grading_in_text(const std::string &text, const bool retained)
+  {
+    std::vector<dem::SievePart> sieves;
+    double                      sum = 0, largest = 0;
+    for (const std::string &part : comma_separated(text))
+      {
+        const std::size_t colon = part.find(':');
+        const auto        size  = number_in(trimmed(part.substr(0, std::min(colon, part.size()))));
+        const auto        share = number_in(trimmed(part.substr(std::min(colon, part.size() - 1) + 1)));
+        if (colon == std::string::npos || !size || !share)
+          throw base::InputError("\"" + part + "\": expected size: part.");
+        sieves.push_back({*size, *share});
+        sum += *share;
+        largest = std::max(largest, *share);
+      }
+    const bool percent = retained ? sum > 1.5 : largest > 1.5;
+    for (dem::SievePart &sieve : sieves)
+      sieve.part /= percent ? 100 : 1;
+    return retained ? dem::GradingCurve::of_retained(sieves) : dem::GradingCurve::of_passing(sieves);
+  }
+
+  dem::GradingCurve grading_in_file(const std::string &file)
+  {
+    const postprocess::CsvTable table    = postprocess::read_csv_table(file);
+    const bool                  retained = !place_of(table, "passing");
+    const char                 *column   = retained ? "retained" : "passing";
+    const std::vector<double>  &given    = table.columns[required_place(table, column)];
+    const double                whole    = retained      ? std::accumulate(given.begin(), given.end(), 0.0) :
+                                           given.empty() ? 0.0 :
+                                                           *std::max_element(given.begin(), given.end());
+    const std::vector<double>   size = lengths_of(table, "size"), part = parts_of(table, column, whole);
+    std::vector<dem::SievePart> sieves;
+    for (std::size_t i = 0; i < size.size(); ++i)
+      if (size[i] != 0)
+        sieves.push_back({size[i], part[i]});
+    try
+      {
+        return retained ? dem::GradingCurve::of_retained(sieves) : dem::GradingCurve::of_passing(sieves);
+      }
+    catch (const base::InputError &refusal)
+      {
+        throw base::InputError(file + ": " + refusal.what());
+      }
+  }
 } // namespace apps

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "dem/genesis/sizes.h"
+#include "dem/mesostructure/grading_curve.h"
 
 #include <string>
 #include <vector>
@@ -17,4 +18,9 @@ namespace apps
    * @throws base::InputError naming file and what is missing
    */
   std::vector<dem::SizeClass> size_classes_in_file(const std::string &file);
+
+  /** "4.75e-3: 0.6, 9.5e-3: 1": sieves [m], and what passes or lies on each, parts of 1 or percent. @throws base::InputError */
+  dem::GradingCurve grading_in_text(const std::string &text, bool retained);
+  /** The same from a sieve curve of a table, whose finest sieve may let something pass (a sieve of size 0 is the pan). @throws base::InputError naming the file */
+  dem::GradingCurve grading_in_file(const std::string &file);
 } // namespace apps

@@ -37,8 +37,9 @@ namespace apps
 
   UniaxialLabTest::UniaxialLabTest(const UniaxialModel &model, const dem::Packing &packing, const std::size_t which)
     : name(name_of(model.loading.tests[which]))
+    , classes(model.link_classes(packing.material_names))
     , axis(model.loading.axis)
-    , specimen(packing, model.specimen(), model.material.materials())
+    , specimen(packing, model.specimen(), model.materials(packing.material_names))
     , test(specimen, model.loading.parameters(model.loading.tests[which]))
     , gravity(model.gravity)
     , steps_at_most(most_steps(model.loading, model.loading.tests[which], specimen.time_step()))
@@ -137,6 +138,7 @@ namespace apps
         result.strain.push_back(sample.strain);
         result.stress.push_back(sample.stress);
       }
+    result.link_classes = classes.figures(specimen);
     note_work_of_fracture(result.notes, test.figures());
     const dem::SpecimenParameters &made = specimen.parameters();
     result.notes.crack                  = dem::measure_crack(specimen.particles(), specimen.links(),

@@ -5,6 +5,7 @@
 #include "apps/runs/uniaxial/model.h"
 #include "apps/runs/uniaxial/result.h"
 #include "apps/runs/uniaxial/sideways.h"
+#include "apps/specimens/link_classes.h"
 #include "apps/specimens/material_counts.h"
 #include "apps/specimens/specimen_snapshots.h"
 
@@ -76,6 +77,7 @@ namespace apps
     std::string draw_crack(const std::filesystem::path &folder) const;
 
     std::string       name; ///< "tension"
+    LinkClasses       classes;
     int               axis;
     dem::Specimen     specimen;
     dem::UniaxialTest test;

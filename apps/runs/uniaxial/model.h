@@ -3,6 +3,7 @@
 #include "apps/models/gravity.h"
 #include "apps/models/loading.h"
 #include "apps/models/material.h"
+#include "apps/models/mix.h"
 #include "apps/models/output.h"
 #include "apps/models/specimen.h"
 #include "apps/models/time.h"
@@ -17,6 +18,7 @@ namespace apps
   struct UniaxialModel
   {
     SpecimenSection        source;
+    MixSection             mix; ///< of the specimen
     MaterialSection        material;
     dem::Physics           physics;
     TimeSection            time;
@@ -30,5 +32,10 @@ namespace apps
     const std::vector<UniaxialLoad> &loads() const { return loading.tests; } ///< of the tests, in their order
     double                           longest_without_checkpoint() const { return output.checkpoint_interval; } ///< [s]
     dem::Packing                     packing() const; ///< of all tests. @throws as make_packing()
+
+    /** @param names of the packing's materials */
+    dem::LinkMaterials materials(const std::vector<std::string> &names) const;
+    std::vector<std::string>
+    link_classes(const std::vector<std::string> &names) const; ///< of each pair of these; empty: of one material
   };
 } // namespace apps

@@ -5,6 +5,8 @@
 #include "apps/models/tension_beyond_apex.h"
 #include "apps/process/progress.h"
 #include "apps/specimens/left_out_of_balance.h"
+#include "apps/specimens/link_classes.h"
+#include "apps/specimens/mix_work.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -18,9 +20,11 @@ namespace apps
 {
   namespace
   {
-    nlohmann::json test_details(const UniaxialResult &result)
+    nlohmann::json test_details(const UniaxialResult &result, const LinkClasses &classes)
     {
-      nlohmann::json details      = json_of(result.notes);
+      nlohmann::json details = json_of(result.notes);
+      if (const nlohmann::json by_class = classes.json(result.link_classes); !by_class.empty())
+        details["link_classes"] = by_class;
       details["contacts"]         = result.at_end.contacts;
       details["steps"]            = result.steps;
       details["stepping_seconds"] = result.stepping_seconds;
@@ -69,13 +73,16 @@ namespace apps
       summary["energy"]["not_in_balance"] = left_out;
     test.materials.put_into(summary);
     for (const UniaxialResult &result : results)
-      summary["tests"].push_back(test_details(result));
+      summary["tests"].push_back(test_details(result, LinkClasses(model.link_classes(test.materials.names))));
+    if (model.mix.given())
+      summary["mix"] = mix_figures(model.mix, model.source.box_edges(), false).json();
     return summary;
   }
 
   std::string UniaxialReport::not_in_balance() const
   {
-    return left_out_of_balance(*model.material.materials().bonds(model.physics), test.body().particles().radius);
+    return left_out_of_balance(*model.materials(test.materials.names).bonds(model.physics),
+                               test.body().particles().radius);
   }
 
   std::string UniaxialReport::draw_curve(const std::filesystem::path &file) const
@@ -83,14 +90,21 @@ namespace apps
     std::vector<postprocess::PlotPanel> panels;
     for (const UniaxialResult &result : results)
       panels.push_back(panel_of(result.load, result.strain, result.stress));
+    if (model.mix.given())
+      if (std::string missing =
+            mix_figures(model.mix, model.source.box_edges(), false).draw(file.parent_path() / "grading.png");
+          !missing.empty())
+        return missing;
     return postprocess::plot(file, panels);
   }
 
   std::string UniaxialReport::text() const
   {
     std::string text;
+    if (model.mix.given())
+      text += fmt::format("mix          {}\n", mix_figures(model.mix, model.source.box_edges(), false).text());
     for (const UniaxialResult &result : results)
-      text += text_of(result.notes);
+      text += text_of(result.notes) + LinkClasses(model.link_classes(test.materials.names)).text(result.link_classes);
     text += basis_of(results.front().notes);
     text += warning_lines(notes_of(results));
     for (const std::string &doubt : tension_beyond_apex(model.material))

@@ -46,5 +46,6 @@ namespace apps
     visitor.scalar("stepping_seconds", stepping_seconds);
     visitor.column("strain", strain);
     visitor.column("stress", stress);
+    visitor.column("link_classes", link_classes);
   }
 } // namespace apps

@@ -26,6 +26,7 @@ namespace apps
     double             link_updates     = 0; ///< sum over the steps of links and contacts
     double             stepping_seconds = 0; ///< wall clock, in steps only
     base::Column       strain, stress;       ///< the curve, tension positive; filled when the test has ended
+    base::Column       link_classes;         ///< figures of LinkClasses, likewise
 
     /** Everything that a resumed run must still know of this test. */
     void visit_state(base::StateVisitor &visitor);

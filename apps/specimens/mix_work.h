@@ -1,0 +1,40 @@
+#pragma once
+
+#include "apps/models/mix.h"
+#include "dem/mesostructure/placement.h"
+#include "dem/model/packing.h"
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <filesystem>
+#include <string>
+
+namespace apps
+{
+  /**
+   * Number and name the materials of a packing's particles by a mix: mortar, or aggregate. Says on the standard error what was reached.
+   *
+   * @param box that the aggregates lie in [m] @param linked distance over the sum of two radii up to which particles are linked: aggregates with such
+   * ones are of different numbers; 0: all are of one @pre the mix is given @throws base::InputError
+   */
+  void take_mix(dem::Packing &packing, const MixSection &mix, const Eigen::Vector3d &box, double linked);
+
+  /** Figures of the mix: asked and reached content, number, largest size, by class of sieves. */
+  struct MixFigures
+  {
+    dem::GradingCurve     curve;
+    double                asked = 0, reached = 0; ///< part of the specimen that is aggregate [-]
+    dem::AggregateSizes   sizes;
+    dem::PlacedAggregates placed;
+    Eigen::Vector3d       box;
+    double                smallest;
+
+    nlohmann::json json() const;
+    std::string    text() const; ///< one line
+    /** Passing of what was asked and of what is there. @return why not, empty when drawn */
+    std::string draw(const std::filesystem::path &file) const;
+  };
+
+  /** @param box that the aggregates lie in [m] @pre the mix is given */
+  MixFigures mix_figures(const MixSection &mix, const Eigen::Vector3d &box, bool periodic);
+} // namespace apps
