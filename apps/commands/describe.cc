@@ -229,16 +229,18 @@ namespace apps
       return all;
     }
 
-    /** Sections and entries of the name that is wanted; if none has it, entries that speak of it, the best first. */
+    /** All of the kind of that name; sections and entries of the name; if none has it, entries that speak of it, the best first. */
     Found find(const std::vector<Described> &scenes, const DescribeOptions &options)
     {
       Found all;
-      for (const Described &scene : scenes)
-        {
-          std::vector<Match> matches;
-          collect(*scene.root, options.wanted, matches);
-          add(all, matches, scene.kind, options.format);
-        }
+      for (const bool is_kind : {true, false})
+        for (const Described &scene : scenes)
+          if ((scene.kind == options.wanted) == is_kind)
+            {
+              std::vector<Match> matches;
+              collect(*scene.root, is_kind ? "" : options.wanted, matches);
+              add(all, matches, scene.kind, options.format);
+            }
       if (!all.passages.empty() || !absent(options.wanted).empty())
         return all;
       for (const Mention where : mentions_by_rank)
@@ -288,9 +290,10 @@ namespace apps
     CLI::App  &command = *program.add_subcommand(
        "describe", "Every parameter of a scene, or those of a section, or one: meaning, unit, default, range");
     command
-      .add_option("name", options->wanted,
-                  "Section or entry by its name or the end of its path, e.g. Damping, Tension, Loading/Tension; a word "
-                  "that is no name is looked for in names, values and texts, e.g. triaxial; default: all")
+      .add_option(
+        "name", options->wanted,
+        "Section or entry by its name or the end of its path, e.g. Damping, Tension, Loading/Tension; a kind, "
+        "e.g. study; a word that is no name is looked for in names, values and texts, e.g. triaxial; default: all")
       ->type_name("NAME");
     std::vector<std::string> kinds;
     for (const SceneKind &kind : scene_kinds())

@@ -2,18 +2,21 @@
 #include "apps/process/exit_status.h"
 #include "apps/process/version.h"
 #include "apps/results/result_folder.h"
+#include "apps/results/warning.h"
 #include "apps/studies/inversion.h"
 #include "apps/text/value_text.h"
 #include "base/errors.h"
 #include "postprocess/files/atomic_file.h"
 #include "postprocess/files/html_page.h"
 #include "postprocess/files/summary.h"
+#include "postprocess/pictures/plot.h"
 
 #include <CLI/Validators.hpp>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <cmath>
+#include <filesystem>
 #include <memory>
 
 namespace apps
@@ -146,6 +149,33 @@ namespace apps
       return json;
     }
 
+    /** Where in its box each constant lies in the answers that are equally good. @return what went wrong, "" if nothing */
+    std::string draw_answers(const Inversion &found, const std::filesystem::path &file)
+    {
+      postprocess::PlotPanel panel;
+      panel.title   = fmt::format("{} equally good answers", found.equally_good.size());
+      panel.y_label = "place in the box (0: lower, 1: upper bound)";
+      panel.series.resize(2);
+      panel.series[1].name = "the most central";
+      for (std::size_t factor = 0; factor < found.factors.size(); ++factor)
+        {
+          panel.x_label += fmt::format("{}{} {}", factor > 0 ? ", " : "", factor + 1, found.factors[factor]);
+          const auto place = [&](const InversionSolution &solution) {
+            return (solution.constants[factor] - found.box.lower[factor]) /
+                   (found.box.upper[factor] - found.box.lower[factor]);
+          };
+          for (const InversionSolution &solution : found.equally_good)
+            {
+              panel.series[0].x.push_back(static_cast<double>(factor) + 1);
+              panel.series[0].y.push_back(place(solution));
+            }
+          panel.series[1].x.push_back(static_cast<double>(factor) + 1);
+          panel.series[1].y.push_back(place(found.best()));
+        }
+      panel.series[0].style = panel.series[1].style = postprocess::PlotSeries::Style::points;
+      return postprocess::plot(file, {panel});
+    }
+
     int invert_surfaces(const InvertOptions &options)
     {
       const InversionQuestion question = question_of(options);
@@ -155,11 +185,13 @@ namespace apps
         return exit_success;
       ResultFolder folder(options.folder, ResultFolder::Start::afresh);
       postprocess::write_json(folder.running() / "inversion.json", json_of(question, found));
+      warn_of_missing("answers.png", draw_answers(found, folder.running() / "answers.png"));
       postprocess::HtmlPage page("Constants for wanted responses");
       page.lines(words_of(question, found));
+      page.picture(folder.running() / "answers.png", "How far equally good answers spread");
       postprocess::write_text(folder.running() / "report.html", page.text());
       folder.publish();
-      fmt::print("\nwritten to {}: report.html, inversion.json\n", options.folder);
+      fmt::print("\nwritten to {}: report.html, inversion.json and answers.png\n", options.folder);
       return exit_success;
     }
   } // namespace

@@ -124,6 +124,25 @@ namespace apps
     return found;
   }
 
+  std::vector<std::string> names_of_figures(const std::vector<UniaxialLoad> &tests, const bool between_grips)
+  {
+    const auto has = [&tests](const UniaxialLoad load) {
+      return std::find(tests.begin(), tests.end(), load) != tests.end();
+    };
+    std::vector<std::string> names = {"young_modulus", "poisson_ratio"};
+    if (between_grips)
+      names.insert(names.end(), {"section", "gauge_length"});
+    if (has(UniaxialLoad::tension))
+      names.insert(names.end(), {"tensile_strength", "strain_at_tensile_peak"});
+    if (has(UniaxialLoad::tension) && between_grips)
+      names.emplace_back("work_of_fracture");
+    if (has(UniaxialLoad::compression))
+      names.insert(names.end(), {"compressive_strength", "strain_at_compressive_peak"});
+    if (has(UniaxialLoad::tension) && has(UniaxialLoad::compression))
+      names.emplace_back("strength_ratio");
+    return names;
+  }
+
   nlohmann::json json_of(const LabNotes &test)
   {
     return {{"name", test.name},

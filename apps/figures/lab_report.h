@@ -55,6 +55,8 @@ namespace apps
 
   /** Figures of the tests as a summary holds them: value and unit; where one is not determined, null and the reason. */
   nlohmann::json figures_of(const std::vector<LabNotes> &tests);
+  /** Names of all that figures_of() can have. @param between_grips not of a periodic cell */
+  std::vector<std::string> names_of_figures(const std::vector<UniaxialLoad> &tests, bool between_grips);
   /** Figures and crack of one test. */
   nlohmann::json json_of(const LabNotes &test);
   /** What casts doubt on the figures: a crack at a grip, particles pressed deep into each other. */

@@ -72,6 +72,9 @@ namespace optimisation
       {
         if (2 * summary.cost <= options.smallest_sum)
           return ceres::SOLVER_TERMINATE_SUCCESSFULLY;
+        if (summary.iteration > 0 &&
+            summary.step_norm < options.smallest_step) // in units of the steps of the differences
+          return ceres::SOLVER_TERMINATE_SUCCESSFULLY;
         if (!summary.step_is_successful && evaluated.updated()) // differences are cheaper than ever shorter steps
           return ceres::SOLVER_TERMINATE_SUCCESSFULLY;
         return evaluated.evaluations() >= options.most_evaluations ? ceres::SOLVER_TERMINATE_SUCCESSFULLY :
@@ -159,7 +162,11 @@ namespace optimisation
     std::vector<int> held   = held_by_bounds(problem, evaluated, fit.place);
     for (int round = 0; round < most_rounds && static_cast<Eigen::Index>(held.size()) < fit.place.size(); ++round)
       {
+        const Eigen::VectorXd place = fit.place;
         search(evaluated, problem, options, held, fit);
+        const bool by_differences = round > 0 || problem.first_jacobian.size() == 0; // at the beginning of this round
+        const bool stays =
+          by_differences && (fit.place - place).cwiseQuotient(problem.steps).norm() < options.smallest_step;
         const double after = evaluated.at(fit.place)->squaredNorm();
         const bool   gains = after < before * (1 - options.smallest_decrease);
         before             = after;
@@ -171,7 +178,7 @@ namespace optimisation
         const bool updated = evaluated.updated();
         evaluated.forget_jacobian();
         const std::vector<int> now   = held_by_bounds(problem, evaluated, fit.place);
-        const bool             again = now != held || updated || (gains && !held.empty());
+        const bool             again = now != held || (updated && !stays) || (gains && !held.empty());
         held                         = now;
         if (!again)
           break;

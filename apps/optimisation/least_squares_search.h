@@ -30,6 +30,7 @@ namespace optimisation
     int    most_evaluations    = 1000;
     double smallest_decrease   = 1e-12; ///< of the sum of squares in one step, over the sum; then it ends
     double smallest_sum        = 0;     ///< of squares; then it ends
+    double smallest_step       = 0; ///< over the steps of the differences: then it ends, as what is shorter shows noise
   };
 
   struct LeastSquaresFit

@@ -1,7 +1,7 @@
 #include "apps/results/run_result.h"
 
 #include "apps/process/exit_status.h"
-#include "apps/text/nearest_name.h"
+#include "apps/results/run_outcome.h"
 #include "base/errors.h"
 
 #include <algorithm>
@@ -57,13 +57,7 @@ namespace apps
   {
     const std::vector<std::string> known = figures();
     if (std::find(known.begin(), known.end(), path) == known.end())
-      {
-        std::string all;
-        for (const std::string &name : known)
-          all += (all.empty() ? "" : ", ") + name;
-        throw base::InputError("there is no figure " + path + ". " + did_you_mean(path, known) +
-                               " Figures: " + (all.empty() ? "none" : all) + ".");
-      }
+      throw base::InputError(no_such_figure(path, known));
     return figure_of(figures_in(summary)[nlohmann::json::json_pointer("/" + path)]);
   }
 

@@ -1,7 +1,9 @@
 #pragma once
 
+#include "apps/results/run_outcome.h"
 #include "apps/scene/section.h"
 
+#include <optional>
 #include <string>
 
 namespace apps
@@ -30,6 +32,9 @@ namespace apps
      * @throws base::InputError.
      */
     virtual std::string forecast() const = 0;
+
+    /** Names of what a run can find; nothing where they are not known before the model is set up. Sets none up. */
+    virtual std::optional<RunOutcome> outcome() const { return std::nullopt; }
 
     /** Whether processes started by mpirun share the work of run(). */
     virtual bool shares_ranks() const { return false; }

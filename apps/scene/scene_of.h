@@ -26,9 +26,20 @@ namespace apps
     return run(model, request);
   }
 
+  template <typename Model>
+  auto outcome_of_model(const Model &model, int) -> decltype(std::optional<RunOutcome>(outcome(model)))
+  {
+    return outcome(model);
+  }
+  template <typename Model> // of a model without one
+  std::optional<RunOutcome> outcome_of_model(const Model &, long)
+  {
+    return std::nullopt;
+  }
+
   /**
    * The kind of scene that fills a model: `declare(root, model)` binds its entries, `model.check(path)` has the rules between them,
-   * `forecast(model)` and `run(model, request)` work with it.
+   * `forecast(model)` and `run(model, request)` work with it; `outcome(model)`, if there is one, names what a run can find.
    */
   template <typename Model>
   class SceneOf : public Scene
@@ -39,10 +50,11 @@ namespace apps
     {
     }
 
-    void         declare(Section &root) override { declare_model(root, scene_model); }
-    void         check() const override { scene_model.check({}); }
-    std::string  forecast() const override { return forecast_of_model(scene_model); }
-    bool         shares_ranks() const override { return ranks; }
+    void                      declare(Section &root) override { declare_model(root, scene_model); }
+    void                      check() const override { scene_model.check({}); }
+    std::string               forecast() const override { return forecast_of_model(scene_model); }
+    std::optional<RunOutcome> outcome() const override { return outcome_of_model(scene_model, 0); }
+    bool                      shares_ranks() const override { return ranks; }
     RunResult    run(const RunRequest &request) const override { return run_of_model(scene_model, request); }
     const Model &model() const { return scene_model; }
 

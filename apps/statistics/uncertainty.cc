@@ -78,15 +78,22 @@ namespace statistics
       throw base::InputError("uncertainty: " + std::to_string(residuals.size()) + " residuals do not determine " +
                              std::to_string(kept.size()) + " constants and their scatter.");
     found.scatter = found.known_scatter ? options.known_scatter : std::sqrt(residuals.squaredNorm() / found.degrees);
-    found.standard_errors = Eigen::VectorXd::Constant(n, nan);
-    found.covariance      = Eigen::MatrixXd::Zero(n, n);
-    found.correlation     = Eigen::MatrixXd::Identity(n, n);
+    found.standard_errors  = Eigen::VectorXd::Constant(n, nan);
+    found.covariance       = Eigen::MatrixXd::Zero(n, n);
+    found.correlation      = Eigen::MatrixXd::Identity(n, n);
+    Eigen::MatrixXd scaled = found.scatter * found.scatter * inverse;
+    if (!kept.empty() && options.model_noise.cols() > 0)
+      {
+        const Eigen::MatrixXd jumps =
+          inverse * (jacobian * ranges.asDiagonal())(Eigen::all, kept).transpose() * options.model_noise;
+        scaled +=
+          2 * jumps * jumps.transpose() / static_cast<double>(jumps.cols()); // of the run, and of what was measured
+      }
     for (std::size_t i = 0; i < kept.size(); ++i)
       for (std::size_t j = 0; j < kept.size(); ++j)
         {
-          found.covariance(kept[i], kept[j]) =
-            found.scatter * found.scatter * inverse(i, j) * ranges[kept[i]] * ranges[kept[j]];
-          found.correlation(kept[i], kept[j]) = inverse(i, j) / std::sqrt(inverse(i, i) * inverse(j, j));
+          found.covariance(kept[i], kept[j])  = scaled(i, j) * ranges[kept[i]] * ranges[kept[j]];
+          found.correlation(kept[i], kept[j]) = scaled(i, j) / std::sqrt(scaled(i, i) * scaled(j, j));
         }
     for (const int k : kept)
       found.standard_errors[k] = std::sqrt(found.covariance(k, k));

@@ -32,6 +32,7 @@ namespace statistics
     std::vector<int> held;                    ///< constants that were not fitted, or lie on a bound: not determined
     double           known_scatter     = 0;   ///< standard deviation of a residual; 0: from the residuals
     double           largest_condition = 1e8; ///< beyond it the least determined constant is taken out
+    Eigen::MatrixXd  model_noise = {}; ///< a column each: draws of what residuals are off a smooth model by; empty: none
   };
 
   /**

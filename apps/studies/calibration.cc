@@ -100,6 +100,35 @@ namespace apps
         return found;
       }
 
+      /**
+       * What runs around the answer are off straight lines by, a constant each: r(x + h) - 2 r(x) + r(x - h) has six times the variance of the
+       * noise of one run. Constants too near a bound have none.
+       */
+      Eigen::MatrixXd noise(const optimisation::LeastSquaresFit &fit)
+      {
+        const Eigen::VectorXd        steps = file.step * ranges();
+        std::vector<Eigen::VectorXd> sets;
+        for (const int k : sought)
+          if (all[k] - steps[k] >= file.constants[k].lower && all[k] + steps[k] <= file.constants[k].upper)
+            for (const double way : {1.0, -1.0})
+              {
+                sets.push_back(all);
+                sets.back()[k] += way * steps[k];
+              }
+        const auto      values = runs.predicted(sets);
+        Eigen::MatrixXd found(fit.residuals.size(), 0);
+        for (std::size_t pair = 0; pair + 1 < values.size(); pair += 2)
+          if (values[pair] && values[pair + 1])
+            {
+              found.conservativeResize(Eigen::NoChange, found.cols() + 1);
+              found.rightCols(1) =
+                ((*values[pair] + *values[pair + 1] - 2 * runs.measured()).cwiseQuotient(runs.scale()) -
+                 2 * fit.residuals) /
+                std::sqrt(6.0);
+            }
+        return found;
+      }
+
     private:
       const CalibrationFile &file;
       CalibrationRuns       &runs;
@@ -126,14 +155,18 @@ namespace apps
 
     /** Nothing where there are as many targets as constants. */
     std::optional<statistics::Uncertainty>
-    uncertainty_of(const CalibrationFile &file, const SoughtAmongAll &problem, const optimisation::LeastSquaresFit &fit)
+    uncertainty_of(const CalibrationFile &file, SoughtAmongAll &problem, const optimisation::LeastSquaresFit &fit)
     {
       const std::vector<int> held = on_bounds(file, problem);
       const Eigen::Index     free = fit.place.size() - static_cast<Eigen::Index>(held.size());
       if (fit.jacobian.size() == 0 || (!scatter_is_known(file) && fit.residuals.size() <= free))
         return std::nullopt;
-      return statistics::uncertainty(fit.jacobian, fit.residuals, problem.ranges()(problem.kept()),
-                                     {held, scatter_is_known(file) ? 1.0 : 0.0});
+      statistics::UncertaintyOptions options;
+      options.held          = held;
+      options.known_scatter = scatter_is_known(file) ? 1.0 : 0.0;
+      if (file.model_noise)
+        options.model_noise = problem.noise(fit);
+      return statistics::uncertainty(fit.jacobian, fit.residuals, problem.ranges()(problem.kept()), options);
     }
 
     /** Half of its band of 95 %, over its range: above one the bounds say as much as the targets do. */
@@ -218,14 +251,33 @@ namespace apps
         found.warnings.push_back(fmt::format("{} sets of constants had no answer.", found.failed));
     }
 
-    optimisation::LeastSquaresOptions options_of(const CalibrationFile &file, const double targets)
+    /**
+     * When fewer squares would not make the answer better. With known standard deviations, a sum of 0.01 is no farther from the smallest one
+     * than a tenth of a standard error of any constant; with as many targets as constants a thousandth of each target is less than
+     * specimens scatter by, and without an end the search would go on in their noise; otherwise the decrease says it.
+     * @param targets sum of their squares
+     */
+    double usual_smallest_sum(const CalibrationFile &file, const CalibrationRuns &runs, const double targets)
+    {
+      constexpr double tenth_of_error = 0.01, thousandth_of_target = 1e-6;
+      if (scatter_is_known(file))
+        return tenth_of_error;
+      return runs.measured().size() <= static_cast<Eigen::Index>(file.constants.size()) ?
+               thousandth_of_target * targets :
+               0.0;
+    }
+
+    optimisation::LeastSquaresOptions
+    options_of(const CalibrationFile &file, const CalibrationRuns &runs, const double targets)
     {
       optimisation::LeastSquaresOptions options;
       options.central_differences = file.central_differences;
       options.updated_jacobian    = file.updated_jacobian;
       options.most_evaluations    = static_cast<int>(file.most_runs);
       options.smallest_decrease   = file.smallest_decrease;
-      options.smallest_sum        = file.smallest_relative_sum * targets;
+      options.smallest_step       = 1.0 / 30; // a thousandth of the range with the usual steps
+      options.smallest_sum =
+        file.smallest_relative_sum > 0 ? file.smallest_relative_sum * targets : usual_smallest_sum(file, runs, targets);
       return options;
     }
   } // namespace
@@ -233,7 +285,7 @@ namespace apps
   Calibration calibrate(const CalibrationFile &file, CalibrationRuns &runs, CalibrationRuns *const cheap)
   {
     const double                            targets = runs.measured().cwiseQuotient(runs.scale()).squaredNorm();
-    const optimisation::LeastSquaresOptions options = options_of(file, targets);
+    const optimisation::LeastSquaresOptions options = options_of(file, runs, targets);
     SoughtAmongAll                          problem(file, runs);
     Calibration                             found;
     if (cheap)

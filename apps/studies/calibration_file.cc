@@ -27,10 +27,14 @@ namespace apps
         .means("Twice the runs for a derivative, for smooth models");
       section.flag("Updated derivatives", calibration.updated_jacobian)
         .means("Derivatives are updated from step to step as long as that succeeds, which saves runs");
+      section.flag("Model noise", calibration.model_noise)
+        .means("Around the answer a run more for each constant: what they are off a straight line by widens the bands");
       section.integer("Most evaluations", calibration.most_runs, "", Range::between(2, 1000000), Need::optional)
         .means("Sets of constants that are run before it gives up");
       section.number("Smallest sum", calibration.smallest_relative_sum, "-", Range::between(0, 1), Need::optional)
-        .means("Of squared deviations over squared targets: then it ends");
+        .means("Of squared deviations over squared targets: then it ends. 0: where a smaller one would move no "
+               "constant by a tenth of its "
+               "standard error (standard deviations given), or 1e-6 (as many targets as constants)");
       section.number("Smallest decrease", calibration.smallest_decrease, "-", Range::between(0, 1), Need::optional)
         .means("Of the sum of squares in a step that succeeds, over the sum: then it ends");
     }

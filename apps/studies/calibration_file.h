@@ -59,7 +59,7 @@ namespace apps
     std::string                   kind, base_scene, output_folder;
     std::int64_t                  threads_per_run = 1, most_runs = 200;
     double                        step = 0.03, smallest_relative_sum = 0, smallest_decrease = 0.01;
-    bool                          central_differences = false, updated_jacobian = true;
+    bool                          central_differences = false, updated_jacobian = true, model_noise = false;
     SearchMethod                  method = SearchMethod::least_squares;
     CheapModel                    cheap;
     PosteriorRequest              posterior;

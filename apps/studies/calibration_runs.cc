@@ -95,12 +95,34 @@ namespace apps
     find_units();
   }
 
+  /** Where the names of what a run can find are known beforehand. */
+  void CalibrationRuns::demand_target(const CalibrationTarget &target, const Scene &scene) const
+  {
+    const std::optional<RunOutcome> known = scene.outcome();
+    if (!known)
+      return;
+    try
+      {
+        if (!target.is_curve())
+          return known->demand_figure(target.figure);
+        known->demand_column(target.abscissa);
+        known->demand_column(target.ordinate);
+      }
+    catch (const base::InputError &refusal)
+      {
+        throw base::InputError(calibration.file + ": target " + target.name + ": " + refusal.what());
+      }
+  }
+
   /** Bounds and start have passed the questions about sizes that quantities hardly have: what lies between them is meant. */
   void CalibrationRuns::find_units()
   {
     for (const auto &[scene, changes_at_start] : scenes_at_start())
       {
         const CheckedScene read = read_scene(scene, changes_at_start);
+        for (const CalibrationTarget &target : calibration.targets)
+          if (scene_of(target) == scene)
+            demand_target(target, *read.scene);
         for (const auto &constant : calibration.constants)
           for (const std::string &entry : comma_separated(constant.entries))
             if (const Entry *found = entry_at(*read.root, entry))

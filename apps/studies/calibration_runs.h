@@ -1,5 +1,6 @@
 #pragma once
 
+#include "apps/scene/scene.h"
 #include "apps/studies/calibration_file.h"
 #include "apps/studies/run_study.h"
 
@@ -76,6 +77,7 @@ namespace apps
 
     void             take_measured();
     void             find_units();
+    void             demand_target(const CalibrationTarget &target, const Scene &scene) const;
     Job              job_of(const std::string &scene, const std::vector<std::string> &changes) const;
     std::string      scene_of(const CalibrationTarget &target) const;
     Eigen::VectorXd  at_start() const;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace apps
 {
@@ -49,7 +50,13 @@ namespace apps
       return sum;
     }
 
-    double slope_of(const CurvePoints &points)
+    /** The straight line nearest to points. */
+    struct Line
+    {
+      double x, y, slope; ///< through (x, y)
+    };
+
+    Line line_of(const CurvePoints &points)
     {
       double x = 0, y = 0, xx = 0, xy = 0;
       for (const auto &point : points)
@@ -62,7 +69,29 @@ namespace apps
           xx += (point.first - x) * (point.first - x);
           xy += (point.first - x) * (point.second - y);
         }
-      return xy / xx;
+      return {x, y, xy / xx};
+    }
+
+    /**
+     * Where the ordinate is the yield one, abscissae first exceed by the offset the line through the points between a fifth and a half of
+     * the peak: below, platens are still being seated. Nothing where there are too few.
+     */
+    std::optional<double> hardening_of(const CurvePoints &points, const double offset)
+    {
+      const auto   peak = peak_of(points);
+      const double top  = std::fabs(peak->second);
+      CurvePoints  straight;
+      std::copy_if(points.begin(), peak, std::back_inserter(straight), [top](const auto &point) {
+        return std::fabs(point.second) >= 0.2 * top && std::fabs(point.second) <= 0.5 * top;
+      });
+      if (straight.size() < 2)
+        return std::nullopt;
+      const Line line  = line_of(straight);
+      const auto yield = std::find_if(points.begin(), peak, [&](const auto &point) {
+        const double ahead = point.first - line.x - (point.second - line.y) / line.slope;
+        return std::fabs(point.second) > 0.5 * top && ahead * (peak->first < 0 ? -1 : 1) > offset;
+      });
+      return 1 - std::fabs(yield->second) / top;
     }
   } // namespace
 
@@ -72,6 +101,8 @@ namespace apps
     const bool         pure = x == "-" || x.empty();
     if (measure == CurveMeasure::place_of_peak)
       return x;
+    if (measure == CurveMeasure::hardening)
+      return "-";
     if (pure || measure == CurveMeasure::value || measure == CurveMeasure::peak)
       return y;
     return y + (measure == CurveMeasure::slope ? "/" : " ") + x;
@@ -87,6 +118,8 @@ namespace apps
         return peak_of(points)->second;
       case CurveMeasure::place_of_peak:
         return peak_of(points)->first;
+      case CurveMeasure::hardening:
+        return hardening_of(points, reading.offset);
       default:
         break;
       }
@@ -95,6 +128,6 @@ namespace apps
     if (reading.measure == CurveMeasure::value)
       return ordinate_at(points, to);
     const CurvePoints part = between(points, reading.from, to);
-    return reading.measure == CurveMeasure::area ? area_below(part) : slope_of(part);
+    return reading.measure == CurveMeasure::area ? area_below(part) : line_of(part).slope;
   }
 } // namespace apps

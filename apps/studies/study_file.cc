@@ -95,7 +95,8 @@ namespace apps
                  {"peak", CurveMeasure::peak},
                  {"place of peak", CurveMeasure::place_of_peak},
                  {"area", CurveMeasure::area},
-                 {"slope", CurveMeasure::slope}},
+                 {"slope", CurveMeasure::slope},
+                 {"hardening", CurveMeasure::hardening}},
                 Need::optional)
         .means("What is read of a curve of the run's series.csv, in place of a figure")
         .only_if(is_curve, "there is no figure");
@@ -107,6 +108,10 @@ namespace apps
         .means("Abscissa where area or slope begin, in magnitude");
       section.number("To", curve.to, "", Range::at_least(0), Need::optional)
         .means("Abscissa of the value, or where area or slope end; 0: the end of the curve");
+      section.number("Offset", curve.offset, "", Range::at_least(0), Need::optional)
+        .means("By which a curve has left its straight beginning: the rest of the way to the peak, over the peak, is "
+               "hardening")
+        .only_if([&response] { return response.curve.measure == CurveMeasure::hardening; }, "hardening is read");
     }
 
     void declare_responses(StudyFile &study, Section &responses)

@@ -1,11 +1,11 @@
 #include "apps/studies/study_plan.h"
 
 #include "apps/scene/kinds/read_scene.h"
-#include "apps/studies/scene_entry.h"
 #include "apps/statistics/level_designs.h"
 #include "apps/statistics/orthogonal_array.h"
 #include "apps/statistics/space_filling.h"
 #include "apps/statistics/surface_designs.h"
+#include "apps/studies/scene_entry.h"
 #include "apps/text/same_name.h"
 #include "apps/text/value_text.h"
 #include "postprocess/files/csv_table.h"
@@ -170,6 +170,27 @@ namespace apps
       return entry && !entry->unit.empty() ? factor.name + " [" + entry->unit + "]" : factor.name;
     }
 
+    /** Where the names of what a run can find are known beforehand. @throws base::InputError */
+    void demand_responses(const StudyFile &study, const std::optional<RunOutcome> &known)
+    {
+      for (const StudyResponse &response : study.responses)
+        try
+          {
+            if (known && response.is_curve())
+              {
+                known->demand_column(response.curve.columns.abscissa);
+                known->demand_column(response.curve.columns.ordinate);
+              }
+            else if (known)
+              known->demand_figure(response.figure);
+          }
+        catch (const base::InputError &refusal)
+          {
+            throw base::InputError(
+              fmt::format("{}: response {}: {}", response.place.text(), response.name, refusal.what()));
+          }
+    }
+
     std::vector<std::string> changes_of(const StudyFile &study, const Eigen::MatrixXd &values, const Eigen::Index run)
     {
       std::vector<std::string> changes;
@@ -182,6 +203,7 @@ namespace apps
 
   StudyPlan plan_of(const StudyFile &study)
   {
+    std::optional<RunOutcome> known;
     for (const StudyFactor &factor : study.factors)
       if (comma_separated(factor.entries).empty())
         section_of(study, factor).refuse("Entry", "an entry of the scene is wanted.");
@@ -197,9 +219,11 @@ namespace apps
             plan.text += request.deciding_text;
             for (const InputFile &input : request.inputs)
               plan.text += fmt::format("{} {} {}\n", input.entry, input.bytes, input.digest);
-            if (run == 0)
-              for (const StudyFactor &factor : study.factors)
-                plan.columns.push_back(column_of(factor, scene));
+            if (run > 0)
+              continue;
+            known = scene.scene->outcome();
+            for (const StudyFactor &factor : study.factors)
+              plan.columns.push_back(column_of(factor, scene));
           }
         catch (const base::InputError &refusal)
           {
@@ -207,6 +231,7 @@ namespace apps
                                                fmt::join(plan.changes.back(), ", "), refusal.what()));
           }
       }
+    demand_responses(study, known);
     for (const StudyResponse &response : study.responses)
       plan.text +=
         response.name + " = " +
@@ -214,7 +239,7 @@ namespace apps
                                            response.curve.columns.abscissa, response.curve.columns.ordinate,
                                            response.curve.columns.test, response.curve.from, response.curve.to) :
                                response.figure) +
-        "\n";
+        (response.curve.measure == CurveMeasure::hardening ? fmt::format(" {}", response.curve.offset) : "") + "\n";
     return plan;
   }
 } // namespace apps

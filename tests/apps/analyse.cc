@@ -52,6 +52,21 @@ TEST_CASE("breccia analyse fits the published surface of strength and draws it",
   CHECK_THAT(content_of(folder / "out/analysis.csv"), Contains("\nsigc*tauc,0.066"));
 }
 
+TEST_CASE("the report of an analysis is one page with its figures and pictures", "[apps]")
+{
+  const ScratchFolder folder;
+  analysis_in(folder, {published("concrete_strength.csv"), "--response", "sigma_u", "--factors", "sigc,tauc"});
+  const std::string page     = content_of(folder / "out/report.html");
+  std::size_t       pictures = 0;
+  for (auto at = page.find("data:image/png;base64,iVBORw0KGgo"); at != std::string::npos;
+       at      = page.find("data:image/png;base64,iVBORw0KGgo", at + 1))
+    ++pictures;
+  CHECK(pictures == 4);
+  CHECK_THAT(page, Contains("sigma_u") && Contains("0.98")); // R squared
+  CHECK_THAT(page, !Contains("src=\"http") && !Contains("href=") && !Contains("<script"));
+  CHECK(page.size() <= 2000000);
+}
+
 TEST_CASE("breccia analyse flags the mistyped run and the copied one of the published design", "[apps]")
 {
   const ScratchFolder folder;

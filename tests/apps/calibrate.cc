@@ -1,18 +1,11 @@
 // breccia calibrate: constants that make runs give what was measured.
-#include "apps/scene/kinds/read_scene.h"
-#include "apps/studies/calibration_runs.h"
-#include "apps/studies/measured_curve.h"
-#include "base/errors.h"
 #include "postprocess/files/csv_table.h"
-#include "tests/apps/program.h"
 #include "tests/apps/scenes.h"
-#include "tests/apps/scratch_folder.h"
-#include "tests/places.h"
+#include "tests/apps/stack_calibration.h"
 
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <map>
@@ -21,106 +14,6 @@
 
 using namespace apps_tests;
 using Catch::Contains;
-
-namespace
-{
-  /** Constants of a stack of spheres that is pulled until it breaks, in part of a second. */
-  std::string calibration_of_stack(const std::string &targets)
-  {
-    return R"(set Kind       = calibration
-set Base scene = stack.prm
-subsection Constants
-  subsection modulus
-    set Entry = Material/CPM/Normal modulus
-    set Start = 22e9
-    set Lower = 15e9
-    set Upper = 40e9
-  end
-  subsection limit
-    set Entry = Material/CPM/Limit elastic strain
-    set Start = 1.2e-4
-    set Lower = 0.4e-4
-    set Upper = 2e-4
-  end
-  subsection unseen
-    set Entry = Loading/Compression/Strain rate
-    set Start = 15
-    set Lower = 10
-    set Upper = 20
-  end
-end
-subsection Targets
-)" + targets +
-           "end\n";
-  }
-
-  const std::string figures = R"(  subsection E
-    set Figure = young_modulus
-    set Value  = 1e9
-    set Standard deviation = 1e8
-  end
-  subsection f_t
-    set Figure = tensile_strength
-    set Value  = 1e6
-    set Standard deviation = 1e5
-  end
-)";
-
-  /** The same without the constant that no figure shows. */
-  std::string two_constants(const std::string &targets)
-  {
-    const std::string text = calibration_of_stack(targets);
-    const std::size_t from = text.find("  subsection unseen"), to = text.find("  end\n", from) + 6;
-    return replaced(
-      text.substr(0, from) + text.substr(to), "subsection Constants",
-      "subsection Search\n  set Smallest sum = 1e-6\nend\nsubsection Constants"); // as many figures as constants
-  }
-
-  /** A modulus as wanted, and a strength that this stack has with a limit a little below its start. */
-  std::string stack_figures(const std::string &modulus, const std::string &deviation)
-  {
-    std::string text = replaced(figures, "1e9", modulus);
-    text             = replaced(text, "1e8", deviation);
-    return replaced(text, "set Value  = 1e6", "set Value  = 5.5e6");
-  }
-
-  void write_calibration(const ScratchFolder &folder, const std::string &text)
-  {
-    folder.file("packing.txt", stack_packing());
-    std::string scene = replaced(scene_with_file(), "set Grip thickness", "set Tests = tension\n  set Grip thickness");
-    folder.file("stack.prm", replaced(scene, "set Snapshots = 5", "set Snapshots = 0"));
-    folder.file("calibration.prm", text);
-  }
-
-  /** A process of its own: a calibration starts its program again for each run. */
-  Outcome calibrate(const ScratchFolder &folder, const std::vector<std::string> &options)
-  {
-    std::vector<std::string> words = {"calibrate", "calibration.prm"};
-    words.insert(words.end(), options.begin(), options.end());
-    return Program(folder.path(), words).wait();
-  }
-
-  /** The curve that known constants give up to its peak, with noise: its standard deviation. Beyond the peak it is jagged. */
-  double measure(const ScratchFolder &folder)
-  {
-    REQUIRE(run(folder.path(), {"run", "stack.prm", "-o", "truth", "-s", "Material/CPM/Normal modulus=27e9", "-s",
-                                "Material/CPM/Limit elastic strain=0.8e-4"})
-              .status == 0);
-    const auto                 truth = postprocess::read_csv_table(folder / "truth/series.csv", true, {"test"});
-    const auto                &x = truth.column("strain"), &y = truth.column("stress");
-    const auto                 peak      = std::max_element(y.begin(), y.end());
-    const double               deviation = 0.02 * *peak;
-    std::mt19937               stream(5);
-    std::normal_distribution<> noise(0, deviation);
-    std::ostringstream         text;
-    text.precision(17);
-    text << "strain,stress\n";
-    for (std::size_t row = 0; row <= std::size_t(peak - y.begin()); ++row)
-      text << x[row] << ',' << y[row] + noise(stream) << '\n';
-    folder.file("measured.csv", text.str());
-    return deviation;
-  }
-} // namespace
 
 TEST_CASE("breccia calibrate recovers known constants within their error bars and names the undetermined one",
           "[apps][slow]")
@@ -158,6 +51,79 @@ TEST_CASE("breccia calibrate recovers known constants within their error bars an
   CHECK(again.status == 0);
   CHECK_THAT(again.out, Contains(" 0 new runs"));
   CHECK(content_of(folder / "out/calibration.json") == before);
+}
+
+TEST_CASE("known constants of flat joints are recovered within their error bars", "[apps][slow]")
+{
+  const ScratchFolder folder;
+  write_calibration(folder, "");
+  const std::string law   = R"(  set Law = flat-joint
+  subsection flat-joint
+    set Effective modulus    = 40e9
+    set Stiffness ratio      = 2.5
+    set Tensile strength     = 6e6
+    set Cohesion             = 12e6
+    set Friction angle       = 20
+    set Friction coefficient = 0.5
+    set Rings                = 2
+    set Sectors              = 6
+  end
+)";
+  std::string       scene = replaced(scene_with_file(), "set Snapshots = 5", "set Snapshots = 0");
+  const std::size_t from  = scene.find("  set Law = CPM");
+  scene.replace(from, scene.find("subsection Loading") - from, law + "end\n");
+  folder.file("stack.prm", replaced(scene, "= 1.5", "= 1.1"));
+  REQUIRE(run(folder.path(), {"run", "stack.prm", "-o", "truth"}).status == 0);
+  const auto                 figures = nlohmann::json::parse(content_of(folder / "truth/summary.json"))["figures"];
+  std::mt19937               stream(5);
+  std::normal_distribution<> noise(0, 1);
+  std::ostringstream         text;
+  text << R"(set Kind       = calibration
+set Base scene = stack.prm
+subsection Constants
+  subsection modulus
+    set Entry = Material/flat-joint/Effective modulus
+    set Start = 50e9
+    set Lower = 20e9
+    set Upper = 80e9
+  end
+  subsection tensile
+    set Entry = Material/flat-joint/Tensile strength
+    set Start = 7e6
+    set Lower = 3e6
+    set Upper = 12e6
+  end
+  subsection cohesion
+    set Entry = Material/flat-joint/Cohesion
+    set Start = 14e6
+    set Lower = 6e6
+    set Upper = 24e6
+  end
+end
+subsection Targets
+)";
+  // Figures: a curve up to a brittle peak says of a strength only that it is not less.
+  for (const char *name : {"young_modulus", "tensile_strength", "compressive_strength"})
+    {
+      const double value = figures[name]["value"], deviation = 0.02 * value;
+      text << "  subsection " << name << "\n    set Figure = " << name
+           << "\n    set Value = " << value + deviation * noise(stream)
+           << "\n    set Standard deviation = " << deviation << "\n  end\n";
+    }
+  text << "end\n";
+  folder.file("calibration.prm", text.str());
+  const Outcome told = calibrate(folder, {"-o", "out"});
+  INFO(told.err << told.out);
+  REQUIRE(told.status == 0);
+  const auto constants = nlohmann::json::parse(content_of(folder / "out/calibration.json"))["constants"];
+  for (const auto &[name, truth] : {std::pair("modulus", 40e9), std::pair("tensile", 6e6), std::pair("cohesion", 12e6)})
+    {
+      INFO(name);
+      const double value = constants[name]["value"], error = constants[name]["standard_error"];
+      CHECK(constants[name]["determined"] == true);
+      CHECK(std::fabs(value - truth) < 3 * error);
+      CHECK(error < 0.1 * truth);
+    }
 }
 
 TEST_CASE("a constant whose band fills its bounds is not called determined, and held at its start", "[apps][slow]")
@@ -346,108 +312,21 @@ TEST_CASE("what a reference scene gives is what is measured, and the constants a
   CHECK(calibrate(folder, {"-o", "refused", "-s", "Targets/E/Reference scene=gone.prm"}).status == 2);
 }
 
-TEST_CASE("breccia calibrate refuses what it cannot seek before its first run, in one message", "[apps]")
-{
-  const ScratchFolder folder;
-  const auto [from, to, said] = GENERATE(table<std::string, std::string, std::string>(
-    {{"Kind       = calibration", "Kind = study", "a calibration is wanted"},
-     {"set Base scene = stack.prm", "set Base scene = gone.prm", "gone.prm"},
-     {"set Base scene = stack.prm", "", "\"Base scene\" is not set"},
-     {"Material/CPM/Normal modulus", "Material/CPM/Normal moduli", "Normal modul"},
-     {"set Lower = 15e9", "set Lower = -1", "Normal modulus"},
-     {"set Lower = 15e9", "set Lower = 41e9", "must be above Lower"},
-     {"set Start = 22e9", "set Start = 2e9", "must lie between Lower and Upper"},
-     {"set Figure = young_modulus", "", "Targets/E/Curve"},
-     {"set Value  = 1e9", "", "it must not be zero"},
-     {"set Standard deviation = 1e8", "", "all or none"},
-     {"set Figure = young_modulus", "set Curve = gone.csv", "gone.csv"},
-     {"subsection Constants", "subsection Replicates\n set Seeds = 1\nend\nsubsection Constants",
-      "wanted with Entry"}}));
-  write_calibration(folder, replaced(calibration_of_stack(figures), from, to));
-  const Outcome told = run(folder.path(), {"calibrate", "calibration.prm", "-o", "out"});
-  INFO(from << told.err);
-  CHECK(told.status == 2);
-  CHECK_THAT(told.err, Contains(said));
-  CHECK_FALSE(std::filesystem::exists(folder / "out/runs"));
-}
-
-TEST_CASE("every shipped study and calibration is read with the scenes of all its runs", "[apps]")
-{
-  int                      count = 0;
-  const apps::StudyOptions nowhere;
-  for (const auto &entry : std::filesystem::directory_iterator(places::sources() + "/apps/scenes/studies"))
-    {
-      const std::string file = entry.path().string();
-      INFO(file);
-      if (apps::is_of_kind(file, "study"))
-        CHECK(apps::plan_of(*apps::read_study(file, {})).changes.size() > 5);
-      else if (apps::is_of_kind(file, "calibration"))
-        CHECK(apps::CalibrationRuns(*apps::read_calibration(file, {}), nowhere).runs_of_a_set() > 0);
-      else
-        CHECK_NOTHROW(apps::read_scene(file, {}));
-      ++count;
-    }
-  CHECK(count >= 8);
-}
-
-TEST_CASE("a value that a search comes to is not questioned as a person's, whose bounds are", "[apps]")
-{
-  const std::string           folder = places::sources() + "/apps/scenes/studies/";
-  const auto                  file   = apps::read_calibration(folder + "mortar_calibration.prm", {});
-  const apps::StudyOptions    nowhere;
-  const apps::CalibrationRuns runs(*file, nowhere);
-  const std::string           scene = file->targets.front().scene, angle = "Material/flat-joint/Friction angle";
-  // In degrees, 0.3 would be taken for radians by mistake; the bounds are 0 and 60.
-  CHECK_THROWS_WITH(apps::read_scene(scene, {angle + "=0.3"}), Contains("In radians?"));
-  CHECK(runs.change_of(scene, angle, 0.3) == angle + "=0.3 degrees");
-  CHECK_NOTHROW(apps::read_scene(scene, {runs.change_of(scene, angle, 0.3)}));
-  CHECK(runs.change_of(scene, angle, 34) == angle + "=34");
-}
-
-TEST_CASE("check of a calibration says what it takes at most, and describe knows its entries and those of a study",
-          "[apps]")
-{
-  const ScratchFolder folder;
-  write_calibration(folder, calibration_of_stack(figures));
-  const Outcome told = run(folder.path(), {"check", "calibration.prm"});
-  INFO(told.err);
-  CHECK(told.status == 0);
-  CHECK_THAT(told.out, Contains("3 constants, 2 targets; 1 runs for each set of constants, at most 200 sets") &&
-                         Contains("particles") && Contains("altogether   roughly"));
-  CHECK_THAT(run(folder.path(), {"describe", "Cheap model", "--kind", "calibration"}).out, Contains("Changes"));
-  CHECK_THAT(run(folder.path(), {"describe", "Axial distance"}).out, Contains("Scenes of kind study"));
-}
-
-TEST_CASE("a figure that no run has is refused by name, with those that there are, when constants are sought",
+TEST_CASE("with as many figures as constants a search ends where the rest is less than matters, not at its last run",
           "[apps][slow]")
 {
+  const bool          known = GENERATE(true, false); // standard deviations
   const ScratchFolder folder;
-  write_calibration(folder, replaced(calibration_of_stack(figures), "young_modulus", "younger_modulus"));
+  std::string         text = two_constants(stack_figures("33e9", "0.5e9"));
+  if (!known)
+    text = replaced(replaced(text, "set Standard deviation = 0.5e9", ""), "set Standard deviation = 1e5", "");
+  write_calibration(folder, text);
   const Outcome told = calibrate(folder, {"-o", "out"});
-  CHECK(told.status == 2);
-  CHECK_THAT(told.err, Contains("younger_modulus") && Contains("tensile_strength"));
-}
-
-TEST_CASE("curves are compared where they first get as far, and beyond its end a curve falls to zero", "[apps]")
-{
-  postprocess::CsvTable table;
-  table.names   = {"strain", "stress"};
-  table.units   = {"-", "Pa"};
-  table.columns = {{0.1, 0.2, 0.15, 0.4}, {1, 3, 9, 1}}; // the third goes back
-  const apps::CurveColumns columns{"strain", "stress", ""};
-  Eigen::VectorXd          places(6);
-  places << 0.05, 0.1, 0.15, 0.3, 0.42, 0.5;
-  const Eigen::VectorXd found = apps::ordinates_at(places, table, columns);
-  CHECK(found[0] == Approx(0.5)); // from the origin
-  CHECK(found[1] == Approx(1));
-  CHECK(found[2] == Approx(2));
-  CHECK(found[3] == Approx(2));
-  CHECK(found[4] == Approx(0.6)); // 0.02 beyond, of 0.05
-  CHECK(found[5] == 0);
-  for (auto &strain : table.columns[0]) // compression is negative
-    strain = -strain;
-  CHECK(apps::ordinates_at(-places, table, columns) == found);
-  CHECK(apps::abscissae_of(table, columns) == Eigen::Vector3d(-0.1, -0.2, -0.4)); // its own: no more was observed
-  table.columns = {{0}, {0}};
-  CHECK_THROWS_AS(apps::abscissae_of(table, columns), base::InputError);
+  INFO(told.err << told.out);
+  REQUIRE(told.status == 0);
+  const auto found = nlohmann::json::parse(content_of(folder / "out/calibration.json"));
+  CHECK(found["evaluations"].get<int>() < 40); // of at most 200
+  const auto &targets = found["targets"];
+  CHECK(targets["E"]["predicted"].get<double>() == Approx(33e9).epsilon(known ? 0.1 * 0.5 / 33 : 2e-3));
+  CHECK(targets["f_t"]["predicted"].get<double>() == Approx(5.5e6).epsilon(known ? 0.1 * 0.1 / 5.5 : 2e-3));
 }

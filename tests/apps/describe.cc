@@ -41,6 +41,18 @@ namespace
   }
 } // namespace
 
+TEST_CASE("describe of a kind's name shows all of it, studies and calibrations as well as scenes", "[apps]")
+{
+  const ScratchFolder folder;
+  const Outcome       study = run(folder.path(), {"describe", "study"}),
+                calibration = run(folder.path(), {"describe", "calibration"});
+  CHECK_THAT(study.out, Catch::StartsWith("# Scenes of kind study\n") && Contains("subsection Responses") &&
+                          Contains("# Scenes of kind sequential")); // whose section has that name
+  CHECK_THAT(calibration.out, Catch::StartsWith("# Scenes of kind calibration\n") && Contains("subsection Posterior"));
+  CHECK_THAT(run(folder.path(), {"describe", "uniaxial"}).out, Catch::StartsWith("# Scenes of kind uniaxial\n"));
+  CHECK_THAT(run(folder.path(), {"describe", "study", "--format", "md"}).out, Contains("## Responses"));
+}
+
 TEST_CASE("describe shows every constant of the law, and material constants without a default", "[apps]")
 {
   const ScratchFolder folder;

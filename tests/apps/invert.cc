@@ -69,8 +69,8 @@ TEST_CASE("breccia invert meets all five published targets of concrete exactly, 
 {
   const ScratchFolder folder;
   put_published(folder);
-  const double         targets[5][3] = {
-            {59.67, 32.68, 0.201}, {42.67, 26.78, 0.209}, {36.54, 25.66, 0.218}, {47.67, 21.54, 0.222}, {43.6, 24.67, 0.222}};
+  const double targets[5][3] = {
+    {59.67, 32.68, 0.201}, {42.67, 26.78, 0.209}, {36.54, 25.66, 0.218}, {47.67, 21.54, 0.222}, {43.6, 24.67, 0.222}};
   for (const auto &target : targets)
     {
       std::vector<std::string> words = published_box;
@@ -98,11 +98,27 @@ TEST_CASE("breccia invert meets all five published targets of concrete exactly, 
     }
 }
 
+TEST_CASE("the report of an inversion is one page with its figures, answers and picture", "[apps]")
+{
+  const ScratchFolder folder;
+  put_published(folder);
+  const Outcome told = inverted(folder, all_surfaces,
+                                {"--target", "sigma_u=42.67", "--target", "E=26.78", "--target", "nu=0.209", "--starts",
+                                 "1", "--generations", "30", "--population", "50", "-o", "out"});
+  INFO(told.err);
+  REQUIRE(told.status == 0);
+  const std::string page = content_of(folder / "out/report.html");
+  CHECK_THAT(page,
+             Contains("data:image/png;base64,iVBORw0KGgo") && Contains("sigma_u") && Contains("equally good answers"));
+  CHECK_THAT(page, !Contains("src=\"http") && !Contains("href=") && !Contains("<script"));
+  CHECK(page.size() <= 2000000);
+}
+
 TEST_CASE("breccia invert names the target that cannot be met, and by how much it is missed", "[apps]")
 {
   const ScratchFolder folder;
   put_published(folder);
-  std::vector<std::string> words  = published_box;
+  std::vector<std::string> words = published_box;
   words.insert(words.end(), {"--target", "sigma_u=15", "--target", "E=30", "--target", "nu=0.2", "--starts", "1",
                              "--generations", "50", "--population", "50", "-o", "out"});
   const Outcome told = inverted(folder, all_surfaces, words);

@@ -1,4 +1,6 @@
 // breccia study: a scene with its constants varied, into one table.
+#include "apps/results/run_result.h"
+#include "apps/scene/kinds/read_scene.h"
 #include "apps/studies/curve_reading.h"
 #include "postprocess/files/csv_table.h"
 #include "tests/apps/program.h"
@@ -67,6 +69,15 @@ end
     words.insert(words.end(), options.begin(), options.end());
     return Program(folder.path(), words).wait();
   }
+
+  /** By three processes of mpirun; what it says goes to the file "said". @return 0 where it went well */
+  int study_on_ranks(const ScratchFolder &folder, const std::string &options)
+  {
+    const std::string command =
+      "cd " + folder.path().string() + " && export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 && " +
+      places::mpirun() + " --oversubscribe -np 3 " + places::program() + " study study.prm " + options + " > said 2>&1";
+    return std::system(command.c_str());
+  }
 } // namespace
 
 TEST_CASE("a study writes one table, the same for any number of processes and parts", "[apps][slow]")
@@ -108,11 +119,14 @@ TEST_CASE(
   REQUIRE(study(folder, {"-o", "whole"}).status == 0);
   std::mt19937 stream(11);
   int          kills = 0;
-  for (int attempt = 0; kills < 50 && attempt < 200; ++attempt)
+  for (int attempt = 0; kills < 50 && attempt < 400; ++attempt)
     {
       if (std::filesystem::exists(folder / "killed/table.csv")) // all done: once more from the start
         std::filesystem::remove_all(folder / "killed");
-      Program program(folder.path(), {"study", "study.prm", "-o", "killed"});
+      std::vector<std::string> words = {"study", "study.prm", "-o", "killed"};
+      if (const auto part = stream() % 3; part > 0) // as jobs of a batch array are
+        words.insert(words.end(), {"--part", std::to_string(part) + "/2"});
+      Program program(folder.path(), words);
       std::this_thread::sleep_for(std::chrono::milliseconds(stream() % 1000));
       kills += program.running();
       program.send(SIGKILL);
@@ -125,7 +139,8 @@ TEST_CASE(
     for (const auto &entry : std::filesystem::directory_iterator(journal))
       if (entry.path().extension() == ".json")
         before[entry.path()] = std::filesystem::last_write_time(entry);
-  REQUIRE(study(folder, {"-o", "killed"}).status == 0);
+  REQUIRE((places::skipped_without_mpirun() ? study(folder, {"-o", "killed"}).status :
+                                              study_on_ranks(folder, "-o killed")) == 0);
   CHECK(content_of(folder / "killed/table.csv") == content_of(folder / "whole/table.csv"));
   for (const auto &[file, time] : before)
     CHECK(std::filesystem::last_write_time(file) == time);
@@ -171,23 +186,60 @@ TEST_CASE("a study that cannot run is refused before its first run, by entry and
   CHECK_FALSE(std::filesystem::exists(folder / "out"));
 }
 
-TEST_CASE(
-  "a response that no run has is refused by name, with those that there are, and the folder of another study is",
-  "[apps][slow]")
+TEST_CASE("a response that no run has is refused before the first run by name, with those that there are", "[apps]")
 {
   const ScratchFolder folder;
-  write_study(folder, replaced(study_of_stack(), "tensile_strength", "tensile_strenght"));
-  const Outcome told = study(folder, {"-o", "out", "--processes", "1"});
-  CHECK(told.status == 2);
-  CHECK_THAT(told.err, Contains("response f_t: there is no figure tensile_strenght") &&
-                         Contains("Did you mean \"tensile_strength\"?") && Contains("young_modulus"));
-  CHECK_FALSE(std::filesystem::exists(folder / "out/journal/000002.json"));
+  const auto [from, to, said, known] = GENERATE(table<std::string, std::string, std::string, std::string>(
+    {{"tensile_strength", "tensile_strenght", "response f_t: there is no figure tensile_strenght",
+      "Did you mean \"tensile_strength\"?"},
+     {"tensile_strength", "compressive_strength", "there is no figure compressive_strength", // it is not crushed
+      "Figures: young_modulus, poisson_ratio, section"},
+     {"set Figure = tensile_strength", "set Curve = peak\n    set Ordinate = stretch",
+      "response f_t: series.csv has no column stretch", "mean_damage"}}));
+  write_study(folder, replaced(study_of_stack(), from, to));
+  for (const char *command : {"study", "check"})
+    {
+      const Outcome told = run(folder.path(), command == std::string("study") ?
+                                                std::vector<std::string>{command, "study.prm", "-o", "out"} :
+                                                std::vector<std::string>{command, "study.prm"});
+      CHECK(told.status == 2);
+      CHECK_THAT(told.err, Contains("study.prm:") && Contains(said) && Contains(known));
+    }
+  CHECK_FALSE(std::filesystem::exists(folder / "out"));
+}
+
+TEST_CASE("the folder of another study is refused", "[apps][slow]")
+{
+  const ScratchFolder folder;
+  write_study(folder, replaced(study_of_stack(), "20e9, 30e9", "20e9, 31e9"));
+  REQUIRE(study(folder, {"-o", "out", "--part", "1/4"}).status == 0);
   folder.file("study.prm", study_of_stack());
   const Outcome other = study(folder, {"-o", "out"});
   CHECK(other.status == 2);
   CHECK_THAT(other.err, Contains("holds the runs of another study") && Contains("--restart"));
   CHECK(study(folder, {"-o", "out", "--restart", "--part", "1/4"}).status == 0);
   CHECK(study(folder, {"-o", "out", "--part", "3/2"}).status == 2);
+}
+
+TEST_CASE("what a run finds is among the names that are known before it", "[apps][slow]")
+{
+  const auto [file, changes]       = GENERATE(table<std::string, std::vector<std::string>>(
+    {{"quick_uniaxial.prm", {"Specimen/Box size=0.02, 0.02, 0.03", "Loading/Compression/Stop strain=1e-3"}},
+           {"quick_uniaxial.prm", {"Loading/Tests=compression", "Loading/Compression/Stop strain=3e-4"}},
+           {"quasi_static.prm", {"Loading/Tests=tension", "Loading/Tension/Stop strain=5e-5"}},
+           {"studies/mortar_quarter.prm", {"Specimen/Genesis/Size=0.01, 0.02, 0"}},
+           {"bouncing_sphere.prm", {}}}));
+  const apps::CheckedScene scene   = apps::read_scene(places::sources() + "/apps/scenes/" + file, changes);
+  apps::RunRequest         request = apps::request_of(scene);
+  request.output_folder.clear();
+  const std::optional<apps::RunOutcome> known = scene.scene->outcome();
+  INFO(file);
+  REQUIRE(known);
+  const apps::RunResult found = scene.scene->run(request);
+  CHECK(found.series.names == known->columns);
+  CHECK(found.figures().size() > 3);
+  for (const std::string &name : found.figures())
+    CHECK_NOTHROW(known->demand_figure(name));
 }
 
 TEST_CASE("responses of a study can be read from curves, and a column that no run has is refused by name",
@@ -251,19 +303,12 @@ TEST_CASE("under mpirun each process takes a part of a study, and its runs know 
   const ScratchFolder folder;
   write_study(folder, study_of_stack());
   REQUIRE(study(folder, {"-o", "alone"}).status == 0);
-  const auto ranks = [&folder](const std::string &more) {
-    const std::string command = "cd " + folder.path().string() +
-                                " && export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 && " +
-                                places::mpirun() + " --oversubscribe -np 3 " + places::program() +
-                                " study study.prm -o ranks " + more + " > said 2>&1";
-    return std::system(command.c_str());
-  };
-  const int status = ranks("");
+  const int status = study_on_ranks(folder, "-o ranks");
   INFO(content_of(folder / "said"));
   REQUIRE(status == 0);
   CHECK(content_of(folder / "ranks/table.csv") == content_of(folder / "alone/table.csv"));
   CHECK_THAT(content_of(folder / "said"), Contains("4 runs, 0 failed"));
-  CHECK(ranks("--restart") != 0);
+  CHECK(study_on_ranks(folder, "-o ranks --restart") != 0);
   CHECK_THAT(content_of(folder / "said"), Contains("neither --part nor --restart"));
 }
 
@@ -293,6 +338,31 @@ TEST_CASE("a number that stands for a curve is read from its points in order", "
   table.units[0]  = "s";
   reading.measure = CurveMeasure::slope;
   CHECK(reading.unit_in(table) == "Pa/s");
+}
+
+TEST_CASE("hardening is the part of the peak that is reached after a curve has left its straight beginning", "[apps]")
+{
+  const double          sign = GENERATE(1.0, -1.0); // crushed: both are negative
+  postprocess::CsvTable table;
+  table.names = {"strain", "stress"};
+  table.units = {"-", "Pa"};
+  table.columns.resize(2);
+  // Platens are seated up to 1e-4; then a line of 1e4 up to 6, one of a quarter of it up to 9, and down.
+  const auto stress_at = [](const double e) {
+    return e < 1e-4 ? 0 : e < 7e-4 ? 1e4 * (e - 1e-4) : e < 1.9e-3 ? 6 + 2.5e3 * (e - 7e-4) : 9 - 5e3 * (e - 1.9e-3);
+  };
+  for (int k = 1; k <= 300; ++k)
+    {
+      table.columns[0].push_back(sign * k * 1e-5);
+      table.columns[1].push_back(sign * stress_at(k * 1e-5));
+    }
+  apps::CurveReading reading;
+  reading.measure = apps::CurveMeasure::hardening;
+  // Three quarters of a strain beyond the bend are lag behind the line: 5e-5 at 6.667e-5 beyond, where the stress is 6.1667.
+  CHECK(*apps::read_curve(table, reading) == Approx(1 - 6.1667 / 9).margin(0.005));
+  reading.offset = 1;
+  CHECK(*apps::read_curve(table, reading) == 0);
+  CHECK(reading.unit_in(table) == "-");
 }
 
 TEST_CASE("check of a study reads every run and says how many there are", "[apps]")

@@ -5,9 +5,12 @@
 #include <catch2/catch.hpp>
 
 #include <cmath>
+#include <cstdint>
 #include <cstdlib>
+#include <cstring>
 #include <limits>
 #include <random>
+#include <vector>
 
 namespace
 {
@@ -79,6 +82,89 @@ TEST_CASE(
     }
   CHECK(peak_inside >= 0.92 * calibrations);
   CHECK(peak_inside <= 0.98 * calibrations);
+}
+
+namespace
+{
+  /** The same of a specimen that breaks: any change of its constants, however small, gives other scatter. */
+  Eigen::VectorXd rough_stresses(const Eigen::VectorXd &c, const double scatter, const unsigned int packing)
+  {
+    std::vector<unsigned int> bits = {packing};
+    for (const double value : c)
+      {
+        std::uint64_t own = 0;
+        std::memcpy(&own, &value, sizeof own);
+        bits.push_back(static_cast<unsigned int>(own));
+        bits.push_back(static_cast<unsigned int>(own >> 32));
+      }
+    std::seed_seq              seed(bits.begin(), bits.end());
+    std::mt19937               stream(seed);
+    std::normal_distribution<> noise(0, scatter);
+    Eigen::VectorXd            all = stresses(c);
+    for (double &stress : all)
+      stress += noise(stream);
+    return all;
+  }
+} // namespace
+
+TEST_CASE(
+  "uncertainty: where runs scatter, the band of residuals is too narrow, and that with the runs' noise holds the truth",
+  "[optimisation]")
+{
+  const Eigen::VectorXd      truth = Eigen::Vector3d(3, 1, 2), ranges = Eigen::Vector3d(10, 3, 5);
+  constexpr int              calibrations = 300;
+  constexpr double           deviation = 0.02, scatter = 0.02;
+  std::mt19937               stream(7);
+  std::normal_distribution<> noise(0, deviation);
+  Eigen::Vector3i            with = Eigen::Vector3i::Zero(), without = with;
+  for (int calibration = 0; calibration < calibrations; ++calibration)
+    {
+      Eigen::VectorXd observed = rough_stresses(truth, scatter, calibration);
+      for (double &stress : observed)
+        stress += noise(stream);
+      optimisation::LeastSquaresProblem problem;
+      problem.start     = Eigen::Vector3d(2.7, 1.1, 2.2);
+      problem.lower     = Eigen::Vector3d(0.1, 0.1, 0.3);
+      problem.upper     = Eigen::Vector3d(50, 10, 10);
+      problem.steps     = 0.06 * ranges; // derivatives over shorter ones are noise as well
+      problem.residuals = [&](const std::vector<Eigen::VectorXd> &places) {
+        std::vector<std::optional<Eigen::VectorXd>> all;
+        for (const Eigen::VectorXd &place : places)
+          all.push_back((rough_stresses(place, scatter, calibration) - observed) / deviation);
+        return all;
+      };
+      optimisation::LeastSquaresOptions options;
+      options.central_differences = true;
+      options.smallest_decrease   = 0.01;
+      options.smallest_step       = 1.0 / 30;
+      options.most_evaluations    = 200;
+      const auto      fit         = optimisation::least_squares(problem, options);
+      Eigen::MatrixXd jumps(samples, 3);
+      for (int k = 0; k < 3; ++k)
+        {
+          Eigen::VectorXd up = fit.place, down = fit.place;
+          up[k] += problem.steps[k];
+          down[k] -= problem.steps[k];
+          const auto beside = problem.residuals({up, down});
+          jumps.col(k)      = (*beside[0] + *beside[1] - 2 * fit.residuals) / std::sqrt(6.0);
+        }
+      statistics::UncertaintyOptions known;
+      known.known_scatter = 1;
+      const auto narrow   = statistics::uncertainty(fit.jacobian, fit.residuals, ranges, known);
+      known.model_noise   = jumps;
+      const auto wide     = statistics::uncertainty(fit.jacobian, fit.residuals, ranges, known);
+      for (int k = 0; k < 3; ++k)
+        {
+          with[k] += std::fabs(fit.place[k] - truth[k]) < wide.half_width(k, 0.95);
+          without[k] += std::fabs(fit.place[k] - truth[k]) < narrow.half_width(k, 0.95);
+        }
+    }
+  for (int k = 0; k < 3; ++k)
+    {
+      INFO("constant " << k + 1);
+      CHECK(without[k] < 0.85 * calibrations);
+      CHECK(with[k] >= 0.9 * calibrations);
+    }
 }
 
 TEST_CASE("uncertainty: standard errors of a straight line are those of the textbook", "[optimisation]")

@@ -146,6 +146,34 @@ TEST_CASE("least squares: updates take fewer evaluations than differences alone,
   CHECK(updated < plain);
 }
 
+TEST_CASE("least squares: in noise it ends where steps become much shorter than those of the differences",
+          "[optimisation]")
+{
+  // As many residuals as variables, each with a ripple of a thousandth that no step can follow.
+  optimisation::LeastSquaresProblem problem;
+  problem.start     = Eigen::Vector2d(2, 3);
+  problem.lower     = Eigen::Vector2d(0, 0);
+  problem.upper     = Eigen::Vector2d(10, 10);
+  problem.steps     = Eigen::Vector2d(0.3, 0.3);
+  problem.residuals = [](const std::vector<Eigen::VectorXd> &places) {
+    std::vector<std::optional<Eigen::VectorXd>> all;
+    for (const Eigen::VectorXd &x : places)
+      all.push_back(Eigen::Vector2d(x[0] * x[0] - x[1] - 11 + 1e-3 * std::sin(1e9 * x[0]) + 2e-3,
+                                    x[0] + x[1] - 8 + 1e-3 * std::sin(1e9 * x[1]) + 2e-3));
+    return all;
+  };
+  optimisation::LeastSquaresOptions options;
+  options.updated_jacobian  = true;
+  options.smallest_decrease = 0.01;
+  options.most_evaluations  = 500;
+  options.smallest_step     = 1.0 / 30;
+  const auto fit            = optimisation::least_squares(problem, options);
+  CHECK(fit.evaluations < 60);
+  CHECK(fit.place[0] == Approx(3.887).margin(0.02)); // x^2 + x = 19
+  options.smallest_step = 0;
+  CHECK(optimisation::least_squares(problem, options).evaluations > fit.evaluations);
+}
+
 TEST_CASE("least squares: what cannot be searched is refused", "[optimisation]")
 {
   LeastSquaresProblem outside = problem_of(Eigen::Vector2d(-1.2, 1), rosenbrock, 1e-6);

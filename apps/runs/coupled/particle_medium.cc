@@ -5,6 +5,8 @@
 #include "base/errors.h"
 #include "postprocess/files/summary.h"
 
+#include <deal.II/base/types.h>
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>

@@ -118,23 +118,52 @@ namespace apps
     return how;
   }
 
-  const char *LaboratoryReport::strength_name() const
+  const char *strength_name(const SpecimenTestSection &test)
   {
     using Test = SpecimenTestSection::Test;
-    return asked.test == Test::tension   ? "tensile_strength" :
-           asked.test == Test::splitting ? "splitting_strength" :
-           asked.test == Test::bending   ? "flexural_strength" :
-           asked.confined()              ? "deviator_strength" :
-                                           "compressive_strength";
+    return test.test == Test::tension   ? "tensile_strength" :
+           test.test == Test::splitting ? "splitting_strength" :
+           test.test == Test::bending   ? "flexural_strength" :
+           test.confined()              ? "deviator_strength" :
+                                          "compressive_strength";
+  }
+
+  std::vector<std::string> names_of_figures(const SpecimenTestSection &test)
+  {
+    const std::string        strength = strength_name(test);
+    std::vector<std::string> names    = {strength,
+                                         strength + "_moving_average",
+                                      test.confined() ? "largest_deviator" : "largest_stress",
+                                         "strain_at_peak",
+                                         "young_modulus",
+                                         "young_modulus_by_gauges",
+                                         "secant_modulus_to_half",
+                                         "poisson_ratio_by_slopes",
+                                         "poisson_ratio",
+                                         "stress_over_force"};
+    if (test.confined())
+      names.insert(names.end(), {"confining_pressure", "axial_strength"});
+    if (test.asked.seating_stress > 0)
+      names.emplace_back("strain_at_end_of_seating");
+    if (test.published.strength > 0)
+      names.emplace_back("published/strength");
+    if (test.published.modulus > 0)
+      names.emplace_back("published/young_modulus");
+    if (test.published.poisson > 0)
+      names.emplace_back("published/poisson_ratio");
+    for (const char *name : {"force_difference", "most_force_difference", "kinetic_over_work", "most_kinetic_over_work",
+                             "force_ratio", "strength_at_half_the_speed", "change_at_half_the_speed", "most_change"})
+      names.push_back(std::string("quasi_static/") + name);
+    return names;
   }
 
   nlohmann::json LaboratoryReport::json() const
   {
     const dem::TestFigures f = test.figures();
     nlohmann::json         found;
-    found["test"]                                           = asked.name();
-    found[strength_name()]                                  = figure(f.strength, "Pa");
-    found[strength_name() + std::string("_moving_average")] = figure(f.smooth_strength, "Pa");
+    found["test"]                                                = asked.name();
+    found[strength_name(asked)]                                  = figure(f.strength, "Pa");
+    found[strength_name(asked) + std::string("_moving_average")] = figure(f.smooth_strength, "Pa");
     // Under a pressure it is what the strength is: the part above the pressure.
     found[asked.confined() ? "largest_deviator" : "largest_stress"] = figure(f.largest_stress, "Pa");
     found["strain_at_peak"]                                         = figure(f.strain_at_peak, "-");

@@ -10,6 +10,12 @@
 
 namespace apps
 {
+  /** "compressive_strength": the strength of a test, as summaries name it. */
+  const char *strength_name(const SpecimenTestSection &test);
+
+  /** Names of all figures that LaboratoryReport::json() can have. @pre test.given() */
+  std::vector<std::string> names_of_figures(const SpecimenTestSection &test);
+
   /** What a test of section "Laboratory" found: for programs, for the eye, for the terminal. */
   struct LaboratoryReport
   {
@@ -27,7 +33,6 @@ namespace apps
     std::string text() const;
 
   private:
-    const char      *strength_name() const;
     std::string      strength_text(const dem::TestFigures &found) const;
     dem::QuasiStatic how_static() const;
   };

@@ -1,0 +1,19 @@
+#include "apps/runs/particles/outcome.h"
+
+#include "apps/runs/particles/laboratory_report.h"
+
+namespace apps
+{
+  RunOutcome outcome(const ParticlesModel &model)
+  {
+    RunOutcome found;
+    for (const GaugeSection &gauge : model.gauges.gauges)
+      found.add_figures_of_column(gauge.name);
+    found.figures.emplace_back("broken_links");
+    if (model.laboratory.given())
+      for (const std::string &name : names_of_figures(model.laboratory))
+        found.figures.push_back("laboratory/" + name);
+    found.set_columns(model.columns());
+    return found;
+  }
+} // namespace apps
