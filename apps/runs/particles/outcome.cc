@@ -7,8 +7,8 @@ namespace apps
   RunOutcome outcome(const ParticlesModel &model)
   {
     RunOutcome found;
-    for (const GaugeSection &gauge : model.gauges.gauges)
-      found.add_figures_of_column(gauge.name);
+    for (const ProbeSection &probe : model.probes.probes)
+      found.add_figures_of_column(probe.name);
     found.figures.emplace_back("broken_links");
     if (model.laboratory.given())
       for (const std::string &name : names_of_figures(model.laboratory))

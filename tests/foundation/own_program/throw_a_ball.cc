@@ -31,11 +31,11 @@ try
     floor.name                 = "floor";
     floor.contact.linear       = contact;
 
-    apps::GaugeSection &speed = model.gauges.gauges.emplace_back();
+    apps::ProbeSection &speed = model.probes.probes.emplace_back();
     speed.name                = "speed";
-    speed.quantity            = apps::GaugeSection::Quantity::velocity;
+    speed.quantity            = apps::ProbeSection::Quantity::velocity;
     speed.group               = "ball";
-    speed.component           = apps::GaugeSection::Component::z;
+    speed.component           = apps::ProbeSection::Component::z;
 
     model.check({});
     const apps::RunResult result = run(model, apps::RunRequest());
