@@ -72,7 +72,7 @@ namespace apps
 
     pd::Field at_rest(const PeridynamicPlate &plate, const pd::Bonds &bonds, const Eigen::Matrix3d &stress)
     {
-      // Conjugate gradients need as many steps as horizons fit across; a factor fills up as the horizon grows.
+      // Conjugate gradients need as many steps as horizons fit across, each a pass over the bonds; a factor fills up as the horizon grows.
       pd::Equilibrium equilibrium(bonds, pd::Kinematics::linear, pd::Solver::iterative);
       pd::Field       u     = bonds.grid().field();
       const auto      state = equilibrium.find(bonds, loads_of(plate, bonds, of_stress(stress)), 1.0, 1e-10, u);
@@ -86,7 +86,7 @@ namespace apps
     /** Largest errors of two components on the nodes next to the axes, over the largest exact values. */
     struct LineErrors
     {
-      double x_along_x = 0, x_along_y = 0, y_along_y = 0; ///< u_x on y = 0, u_x on x = 0, u_y on x = 0
+      Eigen::Vector2d on_y0 = Eigen::Vector2d::Zero(), on_x0 = Eigen::Vector2d::Zero(); ///< of u_x and u_y
     };
 
     LineErrors errors_on_lines(const pd::Grid                                                &grid,
@@ -98,22 +98,22 @@ namespace apps
         wanted.add(i, exact(grid.position(i)));
       pd::remove_rigid_motion(
         grid, wanted); // as of the solution: shear of a plate that is no square has a mean rotation by mass
-      Eigen::Vector3d largest = Eigen::Vector3d::Zero();
+      Eigen::Vector2d largest = Eigen::Vector2d::Zero();
       LineErrors      errors;
       for (const std::size_t i : grid.nodes())
         {
-          const Eigen::Vector3d x = grid.position(i), off = (u.at(i) - wanted.at(i)).cwiseAbs();
-          largest = largest.cwiseMax(wanted.at(i).cwiseAbs());
+          const Eigen::Vector3d x   = grid.position(i);
+          const Eigen::Vector2d off = (u.at(i) - wanted.at(i)).cwiseAbs().head<2>();
+          largest                   = largest.cwiseMax(wanted.at(i).cwiseAbs().head<2>());
           if (std::abs(x.y()) < 0.6 * grid.spacing())
-            errors.x_along_x = std::max(errors.x_along_x, off.x());
-          if (std::abs(x.x()) >= 0.6 * grid.spacing())
-            continue;
-          errors.x_along_y = std::max(errors.x_along_y, off.x());
-          errors.y_along_y = std::max(errors.y_along_y, off.y());
+            errors.on_y0 = errors.on_y0.cwiseMax(off);
+          if (std::abs(x.x()) < 0.6 * grid.spacing())
+            errors.on_x0 = errors.on_x0.cwiseMax(off);
         }
       const double exists = u.at(grid.nodes().front()).sum() * 0; // 0, or not a number
-      return {errors.x_along_x / largest.x() + exists, errors.x_along_y / largest.x() + exists,
-              errors.y_along_y / largest.y() + exists};
+      errors.on_y0        = errors.on_y0.cwiseQuotient(largest).array() + exists;
+      errors.on_x0        = errors.on_x0.cwiseQuotient(largest).array() + exists;
+      return errors;
     }
   } // namespace
 
@@ -132,9 +132,9 @@ namespace apps
     const LineErrors shear   = errors_on_lines(bonds.grid(), sheared, [&](const Eigen::Vector3d &x) -> Eigen::Vector3d {
       return unit * (1 + nu) * Eigen::Vector3d(x.y(), x.x(), 0);
     });
-    found.tension_across     = tension.x_along_x;
-    found.tension_along      = tension.y_along_y;
-    found.shear              = shear.x_along_y;
+    found.tension_across     = tension.on_y0.x();
+    found.tension_along      = tension.on_x0.y();
+    found.shear              = std::max(shear.on_x0.x(), shear.on_y0.y());
     return found;
   }
 

@@ -28,7 +28,7 @@ namespace apps
   {
     double tension_across = 0,
            tension_along  = 0; ///< largest on the centre lines over the largest exact displacement [-]
-    double      shear     = 0; ///< the same of u_x on the line x = 0 under pure shear
+    double      shear     = 0; ///< the same under pure shear, the worse of u_x on x = 0 and u_y on y = 0
     double      seconds   = 0; ///< of both solutions
     std::size_t bonds     = 0;
   };

@@ -48,6 +48,11 @@ namespace apps
         }
       plate.corrected = true;
       add(plate, "cells, partial, axis, consistent, surface", 400);
+      plate.calibration = pd::Calibration::bulk;
+      add(plate, "cells, partial, bulk, consistent, surface", 400);
+      plate.calibration = pd::Calibration::axis;
+      plate.ratio       = 4.05; // where the grid is nearly isotropic
+      add(plate, "cells, partial, axis, consistent, surface, 4.05", 400);
       plate           = {};
       plate.corrected = true;
       add(plate, "cells, surface correction");

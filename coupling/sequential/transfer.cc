@@ -17,7 +17,7 @@ namespace coupling
     constexpr double one_sided = 0.4;
 
     /** Share of the given stress that a point may lose at zero strain by rounding, and one that is a loss. */
-    constexpr double rounding = 1e-9, loss = 0.1;
+    constexpr double lost_by_rounding = 1e-9, loss = 0.1;
 
     template <int dim>
     Eigen::Vector3d place_of(const dealii::Point<dim> &x)
@@ -207,7 +207,7 @@ namespace coupling
       MappedPoint          &point = report.points.at(next++);
       const Eigen::Matrix3d given = point.average.stress;
       point.returned              = (base::stress_tensor(view.stress) - given).norm();
-      report.count.returned += point.returned > rounding * given.norm();
+      report.count.returned += point.returned > lost_by_rounding * given.norm();
       report.count.outside += point.returned > loss * std::max(given.norm(), options.strength);
       report.largest_return = std::max(report.largest_return, point.returned);
     });

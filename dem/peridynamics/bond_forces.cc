@@ -213,6 +213,36 @@ namespace dem::peridynamics
     }
   };
 
+  namespace
+  {
+    /**
+     * Where groups of layers begin, and the end of the last. A few thousand places are worth being handed out.
+     * @param reach layers to which a group gives beyond its own: those of the next one alone
+     */
+    std::vector<std::size_t>
+    group_begins(const std::size_t layers, const std::size_t layer, const std::size_t reach, const bool planes)
+    {
+      const std::size_t        worth = (std::size_t(4096) + layer - 1) / layer;
+      std::vector<std::size_t> begins;
+      if (!planes)
+        {
+          for (std::size_t l = 0; l < layers; l += std::max(2 * reach, worth))
+            begins.push_back(l);
+          begins.push_back(layers);
+          return begins;
+        }
+      // Few and large: as many as threads can share evenly, the same number of planes to one each.
+      const std::size_t most   = std::max<std::size_t>(layers / std::max(reach + 1, worth), 1);
+      std::size_t       shares = 16;
+      while (shares > 1 && most < 2 * shares)
+        shares /= 2;
+      const std::size_t groups = most - most % shares;
+      for (std::size_t g = 0; g <= groups; ++g)
+        begins.push_back(g * layers / groups);
+      return begins;
+    }
+  } // namespace
+
   BondForces::BondForces(const Bonds &bonds, const Kinematics how)
     : kinematics(how)
   {
@@ -223,12 +253,12 @@ namespace dem::peridynamics
     row                             = grid.row_stride();
     layer                           = grid.row_stride() * (planes ? static_cast<std::size_t>(counts[1]) : 1);
     layers                          = planes ? static_cast<std::size_t>(counts[2]) : grid.rows();
-    layers_per_group                = std::max(2 * reach, (std::size_t(4096) + layer - 1) / layer);
-    groups                          = (layers + layers_per_group - 1) / layers_per_group;
+    first_layer                     = group_begins(layers, layer, reach, planes);
+    groups                          = first_layer.size() - 1;
     // Bonds between planes reach some rows further than whole planes.
     beyond = reach * layer + (planes ? reach * grid.row_stride() : 0) + grid.row_stride();
     for (std::size_t g = 0; g < groups; ++g)
-      given.emplace_back(grid.dimension(), std::min(layers_per_group, layers - g * layers_per_group) * layer + beyond);
+      given.emplace_back(grid.dimension(), (first_layer[g + 1] - first_layer[g]) * layer + beyond);
     accounts.resize(groups);
     energies.assign(groups, 0.0);
   }
@@ -250,8 +280,7 @@ namespace dem::peridynamics
     for (std::ptrdiff_t g = 0; g < static_cast<std::ptrdiff_t>(groups); ++g)
       {
         const auto        n     = static_cast<std::size_t>(g);
-        const std::size_t first = n * layers_per_group * layer,
-                          last  = std::min((n + 1) * layers_per_group, layers) * layer;
+        const std::size_t first = first_layer[n] * layer, last = first_layer[n + 1] * layer;
         for (std::size_t a = 0; a < 3; ++a)
           {
             if (f.c[a].empty())
@@ -262,7 +291,7 @@ namespace dem::peridynamics
               to[i] += own[i];
             if (n == 0)
               continue;
-            const double *const before = given[n - 1].c[a].data() + layers_per_group * layer;
+            const double *const before = given[n - 1].c[a].data() + first - first_layer[n - 1] * layer;
             for (std::size_t i = 0; i < std::min(beyond, last - first); ++i)
               to[i] += before[i];
           }
@@ -273,12 +302,11 @@ namespace dem::peridynamics
   void BondForces::each_group(Function &&f) const
   {
     const std::size_t rows = layer / row; // of a layer
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static, 1)
     for (std::ptrdiff_t g = 0; g < static_cast<std::ptrdiff_t>(groups); ++g)
       {
-        const std::size_t first = static_cast<std::size_t>(g) * layers_per_group;
-        const std::size_t last  = std::min(first + layers_per_group, layers);
-        f(static_cast<std::size_t>(g), Rows{first * rows, last * rows});
+        const auto n = static_cast<std::size_t>(g);
+        f(n, Rows{first_layer[n] * rows, first_layer[n + 1] * rows});
       }
   }
 

@@ -59,8 +59,9 @@ namespace dem::peridynamics
     Pass forces_pass(const Bonds &bonds, const Field &u, Field &f, std::size_t group, const Rows &rows);
     void collect(Field &f) const;
 
-    Kinematics  kinematics;
-    std::size_t row = 0, layer = 0, layers = 0, layers_per_group = 0, groups = 0, beyond = 0; ///< places, but of counts
+    Kinematics               kinematics;
+    std::size_t              row = 0, layer = 0, layers = 0, groups = 0, beyond = 0; ///< places, but of counts
+    std::vector<std::size_t> first_layer; ///< of each group, and the end of the last
     std::vector<Field>
       given; ///< of each group: by place from the group's first on, to the nodes of the group and beyond
     std::vector<BondAccount> accounts;

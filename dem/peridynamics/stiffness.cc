@@ -1,13 +1,14 @@
 #include "dem/peridynamics/stiffness.h"
 
-#include "base/errors.h"
-#include "base/number_text.h"
+#include "dem/peridynamics/bond_operator.h"
 
 #include <Eigen/CholmodSupport>
 #include <Eigen/IterativeLinearSolvers>
 #include <Eigen/SparseCore>
 
+#include <algorithm>
 #include <cmath>
+#include <optional>
 #include <vector>
 
 namespace dem::peridynamics
@@ -69,14 +70,14 @@ namespace dem::peridynamics
 
   struct Stiffness::Implementation
   {
-    const Grid        *grid      = nullptr;
-    int                dimension = 0;
-    std::vector<Index> unknown; ///< by place and component; -1: held, or no node
-    Index              unknowns = 0;
-    Lower              matrix;
-    bool               analysed = false;
-    double             shift    = 0; ///< part of the diagonal that the factor has besides
-    Factor             factor;
+    int                         dimension = 0;
+    std::vector<Index>          unknown; ///< by place and component; -1: held, or no node
+    Index                       unknowns = 0;
+    std::optional<BondOperator> product; ///< in place of the matrix, where directions of bonds do not change
+    Lower                       matrix;
+    bool                        analysed = false;
+    double                      shift    = 0; ///< part of the diagonal that the factor has besides
+    Factor                      factor;
 
     Index &number(const std::size_t place, const int component)
     {
@@ -177,9 +178,11 @@ namespace dem::peridynamics
       iteration.setTolerance(tolerance);
       iteration.setMaxIterations(most);
       x = iteration.solve(b);
-      // Otherwise what bears on it moves nothing but a mechanism.
-      return iteration.info() == Eigen::Success || iteration.error() < 1e-3;
+      return iteration.info() == Eigen::Success || iteration.error() < nearer;
     }
+
+    /** Residual over the right-hand side from which on a solution is one; what bears otherwise moves nothing but a mechanism. */
+    static constexpr double nearer = 1e-3;
   };
 
   Stiffness::Stiffness(const Solver how)
@@ -192,12 +195,22 @@ namespace dem::peridynamics
   bool Stiffness::assemble(const Bonds &bonds, const Kinematics kinematics, const Held &held, const Field &u)
   {
     self->number_unknowns(bonds.grid(), held);
+    self->product.reset();
+    if (solver == Solver::iterative && kinematics == Kinematics::linear)
+      {
+        std::vector<bool> free;
+        for (const Index n : self->unknown)
+          free.push_back(n >= 0);
+        self->product.emplace(bonds, free);
+        return true;
+      }
     self->fill(bonds, kinematics, u);
     return solver != Solver::direct || self->factorise();
   }
 
   bool Stiffness::solve(const Field &r, const double tolerance, Field &du) const
   {
+    constexpr int     most_iterations = 20000;
     Eigen::VectorXd   b(self->unknowns);
     const std::size_t places = r.c[0].size();
     const auto        each   = [&](auto &&f) {
@@ -217,10 +230,15 @@ namespace dem::peridynamics
         if (!self->answer(iteration, 500, b, tolerance, x))
           return false;
       }
+    else if (self->product)
+      {
+        if (!(self->product->solve(b, tolerance, most_iterations, x) < std::max(tolerance, Implementation::nearer)))
+          return false;
+      }
     else
       {
         Eigen::ConjugateGradient<Lower, Eigen::Lower> iteration(self->matrix);
-        if (!self->answer(iteration, 20000, b, tolerance, x))
+        if (!self->answer(iteration, most_iterations, b, tolerance, x))
           return false;
       }
     du = Field(self->dimension, places);

@@ -11,7 +11,7 @@ namespace dem::peridynamics
   enum class Solver
   {
     direct,   ///< sparse Cholesky factor, refined by conjugate gradients
-    iterative ///< conjugate gradients, preconditioned by the diagonal
+    iterative ///< conjugate gradients, preconditioned by the diagonal; without a matrix in linear kinematics
   };
 
   /** Tangent stiffness of all bonds, and the solution of its equations. */
@@ -23,6 +23,7 @@ namespace dem::peridynamics
 
     /**
      * Of the body as deformed.
+     * @param bonds must outlive the solutions
      * @param held components that stay where they are
      * @return whether there is a factor, where one is requested: none of a body far from stable
      */

@@ -62,18 +62,59 @@ namespace
     double across, along, shear;
   };
 
+  Eigen::Matrix3d stretched()
+  {
+    Eigen::Matrix3d gradient = Eigen::Matrix3d::Zero();
+    gradient.diagonal() << -q / (3 * E), q / E, 0;
+    return gradient;
+  }
+
+  Eigen::Matrix3d sheared()
+  {
+    Eigen::Matrix3d gradient = Eigen::Matrix3d::Zero();
+    gradient(0, 1) = gradient(1, 0) = q / (2 * shear_modulus);
+    return gradient;
+  }
+
+  /** By conjugate gradients, which begin at the continuum's field: only what boundaries change remains to be found. */
+  Field near_continuum(const Case &c, const Bonds &bonds, const Eigen::Matrix3d &gradient)
+  {
+    Field u = bonds.grid().field();
+    for (const std::size_t i : bonds.grid().nodes())
+      u.add(i, gradient * bonds.grid().position(i));
+    Equilibrium equilibrium(bonds, Kinematics::linear, Solver::iterative);
+    const auto  state = equilibrium.find(bonds, c.loads(bonds), 1.0, 1e-5, u);
+    CHECK_FALSE(state.loose);
+    CHECK(state.residual < 1e-5);
+    remove_rigid_motion(bonds.grid(), u);
+    return u;
+  }
+
+  LineErrors errors_of_fields(const Grid &grid, const Field &pulled, const Field &shear)
+  {
+    return {error_on_line(grid, pulled, 0, stretched(), 1), error_on_line(grid, pulled, 1, stretched(), 0),
+            std::max(error_on_line(grid, shear, 0, sheared(), 0), error_on_line(grid, shear, 1, sheared(), 1))};
+  }
+
   LineErrors
   errors_of(const int cells, const double ratio, const TractionWeight weight, const bool surface_correction = false)
   {
     Case pulled                       = in_tension(accurate_plate(cells, ratio), weight);
     pulled.horizon.surface_correction = surface_correction;
-    const Bonds     bonds             = pulled.bonds();
-    const Field     u = displacement(pulled, bonds), s = displacement(in_shear(pulled, weight), bonds);
-    Eigen::Matrix3d tension = Eigen::Matrix3d::Zero(), shear = tension;
-    tension.diagonal() << -q / (3 * E), q / E, 0;
-    shear(0, 1) = shear(1, 0) = q / (2 * shear_modulus);
-    return {error_on_line(bonds.grid(), u, 0, tension, 1), error_on_line(bonds.grid(), u, 1, tension, 0),
-            std::max(error_on_line(bonds.grid(), s, 0, shear, 0), error_on_line(bonds.grid(), s, 1, shear, 1))};
+    const Bonds bonds                 = pulled.bonds();
+    return errors_of_fields(bonds.grid(), displacement(pulled, bonds), displacement(in_shear(pulled, weight), bonds));
+  }
+
+  /** With the surface correction and the consistent weight. */
+  LineErrors errors_on_fine_grid(const int cells, const double ratio, const Calibration calibration)
+  {
+    Case c                       = accurate_plate(cells, ratio);
+    c.material.calibration       = calibration;
+    c.horizon.surface_correction = true;
+    const Case  pulled = in_tension(c, TractionWeight::consistent), shear = in_shear(c, TractionWeight::consistent);
+    const Bonds bonds = c.bonds();
+    return errors_of_fields(bonds.grid(), near_continuum(pulled, bonds, stretched()),
+                            near_continuum(shear, bonds, sheared()));
   }
 } // namespace
 
@@ -102,6 +143,18 @@ TEST_CASE("surface correction and consistent weight together leave smaller error
   CHECK(fine.across < 0.6 * coarse.across);
   CHECK(fine.along < 0.5 * coarse.along);
   CHECK(fine.shear < 0.5 * coarse.shear);
+}
+
+TEST_CASE("a plate has errors below one per cent in tension and in shear at once", "[dem][slow]")
+{
+  // A grid of six spacings calibrated for its axes is 1.05 % too soft in shear, however fine it is; for its bulk, 0.6 %.
+  const LineErrors six = errors_on_fine_grid(400, 6, Calibration::bulk);
+  CAPTURE(six.across, six.along, six.shear);
+  CHECK(std::max({six.across, six.along, six.shear}) < 1);
+  // Of 4.05 spacings the grid is nearly isotropic: shorter, and so nearer with fewer nodes.
+  const LineErrors four = errors_on_fine_grid(300, 4.05, Calibration::axis);
+  CAPTURE(four.across, four.along, four.shear);
+  CHECK(std::max({four.across, four.along, four.shear}) < 1);
 }
 
 TEST_CASE(

@@ -45,9 +45,7 @@ namespace apps
 
   void declare(Section &section, MaterialInterface &material_interface, const std::list<NamedMaterial> &materials)
   {
-    section.text("Material", material_interface.one, Need::required).means("Name of a section in Materials");
-    section.text("Other material", material_interface.other, Need::required)
-      .means("Likewise; of links between its own particles the same");
+    declare_pair(section, material_interface.one, material_interface.other, "links between its own particles");
     std::vector<std::string> laws = {"of the materials"};
     for (const auto &kind : dem::link_laws())
       laws.push_back(kind->name());

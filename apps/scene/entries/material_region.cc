@@ -11,6 +11,12 @@ namespace apps
     declare(section, material_region.region);
   }
 
+  void declare_pair(Section &section, std::string &one, std::string &other, const std::string &between)
+  {
+    section.text("Material", one, Need::required).means("Name of a section in Materials");
+    section.text("Other material", other, Need::required).means("Likewise; of " + between + " the same");
+  }
+
   void declare_regions(Section &root, std::list<MaterialRegion> &regions, const std::string &of)
   {
     Section &places =

@@ -25,9 +25,7 @@ namespace apps
 
   void declare(Section &section, PeridynamicInterface &peridynamic_interface)
   {
-    section.text("Material", peridynamic_interface.one, Need::required).means("Name of a section in Materials");
-    section.text("Other material", peridynamic_interface.other, Need::required)
-      .means("Likewise; of bonds between its own nodes the same");
+    declare_pair(section, peridynamic_interface.one, peridynamic_interface.other, "bonds between its own nodes");
     section.flag("Bonded", peridynamic_interface.bonded).means("Off: bonds between the two are broken from the start");
     section.number("Young modulus", peridynamic_interface.young_modulus, "Pa", Range::at_least(0), Need::optional)
       .means("Of bonds between the two; 0: the harmonic mean of theirs, as of two halves in series");
