@@ -1,8 +1,7 @@
 #include "coupling/promotion/growing_regions.h"
 
 #include "base/errors.h"
-
-#include <fmt/format.h>
+#include "base/number_text.h"
 
 #include <algorithm>
 #include <iterator>
@@ -54,12 +53,12 @@ namespace coupling
         if (filled.count(element) == 0)
           {
             const Vector3d centre = mesh->centre_of(element);
-            throw base::InputError(fmt::format(
-              "Handshakes/{}: Promotion reach = {:g}: no particle of the specimen lies in the element around ({:g}, "
-              "{:g}, {:g}), "
-              "which could not become particles. The specimen has to fill what the reach has, with elements of two "
-              "particles and more.",
-              regions[r].name, regions[r].reach, centre.x(), centre.y(), centre.z()));
+            throw base::InputError(
+              "Handshakes/" + regions[r].name + ": Promotion reach = " + base::number_text(regions[r].reach) +
+              ": no particle of the specimen lies in the element around (" + base::number_text(centre.x()) + ", " +
+              base::number_text(centre.y()) + ", " + base::number_text(centre.z()) +
+              "), which could not become particles. The specimen has to fill what the reach has, "
+              "with elements of two particles and more.");
           }
   }
 
