@@ -156,7 +156,7 @@ namespace volume
       const auto of_particles = coupling::ParticleParticipant(const_cast<dem::Specimen &>(particles)).energy();
       const auto of_solid     = participant->energy();
       return of_particles.kinetic + of_particles.internal + of_solid.kinetic + of_solid.internal -
-             coupled->balance().twice;
+             coupled->balance().double_counted;
     }
 
     Vector3d momentum() const
