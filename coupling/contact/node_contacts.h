@@ -34,7 +34,10 @@ namespace coupling
     bool            touching() const { return !touched.empty(); } ///< at the last push() or account()
     Eigen::Vector3d force_on_nodes() const;                       ///< likewise [N]
     double          stored() const;                               ///< in the springs, likewise [J]
-    double made() const { return done + stored(); } ///< work on both sides and what is stored: rounding and steps [J]
+    double          spurious() const
+    {
+      return done + stored();
+    } ///< work on both sides and what is stored: rounding and steps [J]
 
     /** Longest step of both with the springs between them [s]. @param own without them */
     double stable_step(double own) const;
