@@ -4,6 +4,7 @@
 #include "apps/process/progress.h"
 #include "apps/process/version.h"
 #include "apps/results/warning.h"
+#include "apps/specimens/genesis_cache.h"
 #include "base/stopwatch.h"
 #include "dem/genesis/contact_areas.h"
 #include "postprocess/files/atomic_file.h"
@@ -28,6 +29,18 @@ namespace apps
   {
   }
 
+  bool GenesisWork::is_kept() const
+  {
+    const std::optional<GenesisCache> cache = genesis_cache();
+    return cache && cache->has(parameters);
+  }
+
+  void GenesisWork::take_kept()
+  {
+    if (const std::optional<GenesisCache> cache = genesis_cache())
+      cache->finish(genesis, parameters);
+  }
+
   void GenesisWork::advance()
   {
     const base::Stopwatch watch;
@@ -38,6 +51,10 @@ namespace apps
       steps_at_once *= 2;
     else if (took > 2 * seconds_at_once && steps_at_once > 1)
       steps_at_once /= 2;
+    if (!genesis.finished())
+      return;
+    if (const std::optional<GenesisCache> cache = genesis_cache())
+      cache->keep(genesis, parameters);
   }
 
   std::string GenesisWork::details() const { return genesis.details(); }
@@ -122,6 +139,7 @@ namespace apps
   {
     Progress    progress("genesis");
     GenesisWork work(specimen, dimension);
+    work.take_kept();
     while (!work.finished())
       {
         work.advance();

@@ -10,12 +10,17 @@
 
 namespace apps
 {
-  /** Particles of a scene while they grow, piece by piece, so that a run can save and go on. */
+  /** Particles of a scene while they grow, piece by piece, so that a run can save and go on; what has grown before is taken from genesis_cache(). */
   class GenesisWork
   {
   public:
     /** @param specimen with Source = genesis, validated. @throws base::InputError */
     GenesisWork(const SpecimenSection &specimen, int dimension);
+
+    /** Whether it has grown before, and is kept. */
+    bool is_kept() const;
+    /** Take it as it was kept; otherwise it is to grow. */
+    void take_kept();
 
     bool         finished() const { return genesis.finished(); }
     void         advance(); ///< about half a second more

@@ -10,6 +10,9 @@
 
 namespace dem
 {
+  /** Of the way particles are grown: to be raised whenever the same parameters give another packing, or a state another column, so that none is taken from a cache. */
+  constexpr int genesis_version = 1;
+
   /** How particles grow into a vessel (doc/theory/genesis.md); defaults are those of the published procedures. */
   struct GenesisParameters
   {

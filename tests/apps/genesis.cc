@@ -171,7 +171,7 @@ TEST_CASE("A genesis that was interrupted goes on to the same bits", "[apps][gen
   const ScratchFolder folder;
   folder.file("mortar.prm", replaced(mortar, "0.02, 0.03", "0.03, 0.05"));
   goes_on_to_the_same_bits(folder,
-                           {{"run", "mortar.prm"},
+                           {{"run", "mortar.prm", "--no-cache"},
                             {"scene.prm"},
                             [](const std::filesystem::path &results) {
                               return content_of(results / "packing.txt") + content_of(results / "series.csv");

@@ -59,7 +59,7 @@ namespace
 TEST_CASE("a packing comes out of the cache to the last bit, with all that is known of it", "[apps][packing_cache]")
 {
   const ScratchFolder         folder;
-  const apps::PackingCache    cache(folder / "not" / "there" / "yet");
+  const apps::PackingCache    cache(apps::CacheFolder(folder / "not" / "there" / "yet"));
   const dem::CompactionResult made = dem::compact(spheres(1));
   REQUIRE_FALSE(cache.find(spheres(1)));
   cache.keep(spheres(1), made);
@@ -79,7 +79,7 @@ TEST_CASE("a packing comes out of the cache to the last bit, with all that is kn
 TEST_CASE("every parameter of a packing distinguishes it from others in the cache", "[apps][packing_cache]")
 {
   using P = dem::CompactionParameters;
-  const apps::PackingCache cache("/nowhere");
+  const apps::PackingCache cache(apps::CacheFolder("/nowhere"));
   std::vector<P>           others(12, spheres(1));
   others[0].radius            = std::nextafter(others[0].radius, 1.0);
   others[1].count             = 41;
@@ -104,7 +104,7 @@ TEST_CASE("a damaged, cut or foreign file in the cache is as if it were not ther
           "[apps][packing_cache]")
 {
   const ScratchFolder         folder;
-  const apps::PackingCache    cache(folder.path());
+  const apps::PackingCache    cache(apps::CacheFolder(folder.path()));
   const dem::CompactionResult made = dem::compact(spheres(1));
   cache.keep(spheres(1), made);
   const fs::path file = cache.file_of(spheres(1));
@@ -128,9 +128,9 @@ TEST_CASE("a cache that grows too large drops the least recently used packings",
 {
   const ScratchFolder         folder;
   const dem::CompactionResult made = dem::compact(spheres(1));
-  apps::PackingCache(folder.path()).keep(spheres(1), made);
+  apps::PackingCache(apps::CacheFolder(folder.path())).keep(spheres(1), made);
   const std::uintmax_t     one = fs::file_size(files_below(folder.path()).front());
-  const apps::PackingCache cache(folder.path(), 3 * one + one / 2); // room for three
+  const apps::PackingCache cache(apps::CacheFolder(folder.path(), 3 * one + one / 2)); // room for three
   for (const std::uint64_t seed : {2, 3})
     cache.keep(spheres(seed), made);
   age(cache.file_of(spheres(1)), 3);
@@ -163,7 +163,7 @@ TEST_CASE("the program takes a packing that it has made before from the user's c
   CHECK(kept.front().parent_path() == folder / "caches" / "breccia" / "packings");
 
   // That it is taken from there shows where another packing lies in its place, under its key.
-  const apps::PackingCache  cache(kept.front().parent_path());
+  const apps::PackingCache  cache(apps::CacheFolder(kept.front().parent_path()));
   dem::CompactionParameters parameters;
   parameters.radius             = 2e-3;
   parameters.count              = 64;

@@ -48,8 +48,9 @@ namespace apps
       const dem::Vessel vessel = model.source.genesis.vessel(model.physics.dimension);
       text += fmt::format("  vessel       {:g} x {:g}{} m\n", vessel.size[0], vessel.size[1],
                           vessel.dimension == 2 ? "" : fmt::format(" x {:g}", vessel.size[2]));
-      text += fmt::format("  genesis      roughly {} on one core\n",
-                          duration_text(usual_steps * n / particle_steps_a_second));
+      text += work.is_kept() ? "  genesis      grown before, and kept: none\n" :
+                               fmt::format("  genesis      roughly {} on one core\n",
+                                           duration_text(usual_steps * n / particle_steps_a_second));
       return text + "  motion       known only when the particles have grown\n";
     }
   } // namespace

@@ -71,6 +71,7 @@ namespace apps
     if (model.source.source == SpecimenSection::Source::genesis)
       {
         genesis = std::make_unique<GenesisWork>(model.source, model.physics.dimension);
+        genesis->take_kept();
         return;
       }
     packing = model.packing();
@@ -199,7 +200,8 @@ namespace apps
 
   void ParticlesRun::grow(const Record &record)
   {
-    genesis->advance();
+    if (!genesis->finished()) // it may have grown before
+      genesis->advance();
     if (!genesis->finished())
       return;
     const auto made = std::make_shared<const dem::Packing>(genesis->packing());
