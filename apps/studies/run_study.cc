@@ -169,6 +169,7 @@ namespace apps
                      records.size(), plan.values.rows());
           return;
         }
+      const FolderLock alone = journal.lock_of_all_parts(); // other parts may end at the same moment
       write_report(study, plan, records, journal.folder());
       postprocess::write_text(journal.folder() / "table.csv", table_of(study, plan, records));
       fmt::print("{} runs, {} failed, {} together\nwritten to {}: table.csv, report.html, and each run below runs\n",

@@ -36,6 +36,7 @@ namespace apps
       }
     make_folder(place / "journal");
     make_folder(place / "runs");
+    const FolderLock alone = lock_of_all_parts(); // others may begin at the same moment
     if (!fs::exists(text))
       postprocess::write_text(text, plan.text);
     else if (postprocess::numeric_text::read_whole(text) != plan.text)
@@ -43,6 +44,8 @@ namespace apps
                              ": holds the runs of another study: its scene, factors, design or responses were others. "
                              "Choose another folder with -o, or throw them away with --restart.");
   }
+
+  FolderLock StudyJournal::lock_of_all_parts() const { return FolderLock(place / "journal" / "all-parts.lock"); }
 
   fs::path StudyJournal::record_of(const Eigen::Index run) const
   {

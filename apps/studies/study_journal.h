@@ -1,5 +1,6 @@
 #pragma once
 
+#include "apps/studies/folder_lock.h"
 #include "apps/studies/study_plan.h"
 
 #include <filesystem>
@@ -36,6 +37,9 @@ namespace apps
 
     std::optional<RunRecord> find(Eigen::Index run) const;
     void                     keep(Eigen::Index run, const RunRecord &record) const;
+
+    /** Held while what all parts share is written, the table for instance. @throws postprocess::OutputError after five seconds */
+    FolderLock lock_of_all_parts() const;
 
     const std::filesystem::path &folder() const { return place; }
 

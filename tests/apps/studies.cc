@@ -2,6 +2,7 @@
 #include "apps/results/run_result.h"
 #include "apps/scene/kinds/read_scene.h"
 #include "apps/studies/curve_reading.h"
+#include "apps/studies/study_journal.h"
 #include "postprocess/files/csv_table.h"
 #include "tests/apps/program.h"
 #include "tests/apps/scenes.h"
@@ -11,10 +12,12 @@
 #include <catch2/catch.hpp>
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <cmath>
 #include <csignal>
 #include <cstdlib>
+#include <exception>
 #include <filesystem>
 #include <map>
 #include <random>
@@ -406,4 +409,31 @@ TEST_CASE("every design of a study makes its runs", "[apps]")
   INFO(design << told.err);
   CHECK(told.status == 0);
   CHECK_THAT(told.out, Contains(runs + " over 2 factors"));
+}
+
+TEST_CASE("Parts of a study that begin at the same moment share one plan", "[apps][studies]")
+{
+  apps::StudyPlan plan;
+  plan.text = std::string(100000, 'x') + "\n";
+  for (int round = 0; round < 20; ++round)
+    {
+      const ScratchFolder      folder;
+      std::atomic<int>         refused{0};
+      std::vector<std::thread> parts;
+      for (int part = 0; part < 4; ++part)
+        parts.emplace_back([&] {
+          try
+            {
+              apps::StudyJournal(folder / "study", plan, false);
+            }
+          catch (const std::exception &)
+            {
+              ++refused;
+            }
+        });
+      for (std::thread &part : parts)
+        part.join();
+      REQUIRE(refused == 0);
+      CHECK(content_of(folder / "study/journal/plan.txt") == plan.text);
+    }
 }
