@@ -11,7 +11,7 @@ namespace apps
 {
   namespace
   {
-    constexpr const char *kind = "genesis";
+    constexpr const char *grown = "genesis"; ///< kind of file
 
     /** Everything that determines a grown packing, each number exactly. */
     std::string key_of(const dem::GenesisParameters &p)
@@ -52,13 +52,13 @@ namespace apps
 
   std::filesystem::path GenesisCache::file_of(const dem::GenesisParameters &parameters) const
   {
-    return folder.file_of(key_of(parameters), kind);
+    return folder.file_of(key_of(parameters), grown);
   }
 
   bool GenesisCache::finish(dem::Genesis &genesis, const dem::GenesisParameters &parameters) const
   {
     std::optional<base::Column> state;
-    if (!folder.find(key_of(parameters), kind, [&](const postprocess::hdf5::InputFile &file) {
+    if (!folder.find(key_of(parameters), grown, [&](const postprocess::hdf5::InputFile &file) {
           state = state_in(file);
           return state.has_value();
         }))
@@ -70,7 +70,7 @@ namespace apps
 
   bool GenesisCache::has(const dem::GenesisParameters &parameters) const
   {
-    return folder.find(key_of(parameters), kind,
+    return folder.find(key_of(parameters), grown,
                        [](const postprocess::hdf5::InputFile &file) { return state_in(file).has_value(); });
   }
 
@@ -79,7 +79,7 @@ namespace apps
     base::Column          state;
     base::FlatStateWriter writer(state);
     genesis.visit_state(writer);
-    folder.keep(key_of(parameters), kind,
+    folder.keep(key_of(parameters), grown,
                 [&](postprocess::hdf5::OutputFile &file) { file.write("state", state.data(), {state.size()}); });
   }
 

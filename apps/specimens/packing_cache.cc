@@ -9,7 +9,7 @@ namespace apps
 {
   namespace
   {
-    constexpr const char *kind = "packing";
+    constexpr const char *compacted = "packing"; ///< kind of file
 
     /** Everything that determines a packing, each number exactly. */
     std::string key_of(const dem::CompactionParameters &p)
@@ -48,14 +48,14 @@ namespace apps
 
   std::filesystem::path PackingCache::file_of(const dem::CompactionParameters &parameters) const
   {
-    return folder.file_of(key_of(parameters), kind);
+    return folder.file_of(key_of(parameters), compacted);
   }
 
   std::optional<dem::CompactionResult> PackingCache::find(const dem::CompactionParameters &parameters) const
   {
     using postprocess::hdf5::Shape;
     std::optional<dem::CompactionResult> found;
-    folder.find(key_of(parameters), kind, [&](const postprocess::hdf5::InputFile &file) {
+    folder.find(key_of(parameters), compacted, [&](const postprocess::hdf5::InputFile &file) {
       if (file.shape("centre") != Shape{parameters.count, 3} || file.shape("periodic_cell") != Shape{3} ||
           file.shape("figures") != Shape{4} || !file.shape("steps").empty())
         return false;
@@ -67,7 +67,7 @@ namespace apps
 
   void PackingCache::keep(const dem::CompactionParameters &parameters, const dem::CompactionResult &result) const
   {
-    folder.keep(key_of(parameters), kind, [&](postprocess::hdf5::OutputFile &file) {
+    folder.keep(key_of(parameters), compacted, [&](postprocess::hdf5::OutputFile &file) {
       const double        figures[] = {result.packing_fraction, result.mean_overlap, result.unbalanced_ratio,
                                        result.coordination};
       std::vector<double> centres;
