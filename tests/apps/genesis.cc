@@ -4,6 +4,7 @@
 #include "tests/apps/scene_runs.h"
 #include "tests/apps/scenes.h"
 #include "tests/apps/scratch_folder.h"
+#include "tests/environment.h"
 #include "tests/places.h"
 
 #include <catch2/catch.hpp>
@@ -298,4 +299,27 @@ TEST_CASE("A porosity of the laboratory stands for one in the plane, and for non
               "Specimen/Genesis/Effective modulus=1e9", "Specimen/Genesis/Stress=0",
               "Specimen/Genesis/Laboratory porosity=0.2"},
              "Laboratory porosity", {"check"});
+}
+
+TEST_CASE("A scene whose particles have grown before takes them from the user's cache, to the same bits",
+          "[apps][genesis][packing_cache]")
+{
+  const ScratchFolder folder;
+  const Environment   caches("XDG_CACHE_HOME", (folder / "caches").string());
+  folder.file("mortar.prm", replaced(mortar, "0.02, 0.03", "0.0141, 0.0141"));
+  const auto made_by = [&](std::vector<std::string> words) {
+    words.insert(words.begin(), {"run", "mortar.prm", "-o", "results", "--restart"});
+    REQUIRE(run(folder.path(), words).status == 0);
+    return content_of(folder / "results/packing.txt") + content_of(folder / "results/genesis.json") +
+           content_of(folder / "results/series.csv");
+  };
+  const auto says_kept = [&] {
+    return run(folder.path(), {"check", "mortar.prm"}).out.find("grown before, and kept") != std::string::npos;
+  };
+  CHECK_FALSE(says_kept());
+  const std::string without = made_by({"--no-cache"});
+  CHECK_FALSE(says_kept());
+  CHECK(made_by({}) == without);
+  CHECK(says_kept());
+  CHECK(made_by({}) == without);
 }

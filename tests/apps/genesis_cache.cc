@@ -2,9 +2,7 @@
 #include "apps/specimens/genesis_cache.h"
 
 #include "dem/genesis/sizes.h"
-#include "tests/apps/program.h"
 #include "tests/apps/scratch_folder.h"
-#include "tests/environment.h"
 
 #include <catch2/catch.hpp>
 
@@ -12,11 +10,9 @@
 #include <functional>
 #include <limits>
 #include <set>
-#include <string>
 #include <vector>
 
 using namespace apps_tests;
-using Catch::Contains;
 
 namespace
 {
@@ -119,71 +115,4 @@ TEST_CASE("Every parameter of a genesis distinguishes it from others in the cach
       names.insert(cache.file_of(p));
     }
   CHECK(names.size() == different.size() + 1);
-}
-
-TEST_CASE("A scene whose particles have grown before takes them from the user's cache, to the same bits",
-          "[apps][genesis][packing_cache]")
-{
-  const ScratchFolder folder;
-  const Environment   caches("XDG_CACHE_HOME", (folder / "caches").string());
-  folder.file("mortar.prm", R"(set Kind = particles
-subsection Physics
-  set Dimension       = 2
-  set Largest overlap = 1
-end
-subsection Specimen
-  set Source           = genesis
-  set Density          = 1624
-  set Thickness        = 1
-  set Installation gap = 2e-4
-  set Loose pieces     = keep
-  subsection Genesis
-    set Size              = 0.012, 0.012, 0
-    set Classes           = 1.2e-3: 0.5, 3e-3: 0.5
-    set Effective modulus = 8e9
-    set Stress            = 27500
-    set Size tolerance    = 0.5
-    set Increments        = 10
-    set Stress rounds     = 2
-    set Floater rounds    = 1
-    set Solve steps       = 500
-  end
-end
-subsection Material
-  set Law = flat-joint
-  subsection flat-joint
-    set Effective modulus    = 10e9
-    set Tensile strength     = 0.3e6
-    set Cohesion             = 2e6
-    set Friction angle       = 20
-    set Friction coefficient = 0.2
-  end
-end
-subsection Gravity
-  set Initial equilibrium = none
-end
-subsection Time
-  set End time = 1e-6
-  set Damping  = 0.7
-end
-subsection Output
-  set Samples   = 1
-  set Snapshots = 0
-end
-)");
-  const auto made_by = [&](std::vector<std::string> words) {
-    words.insert(words.begin(), {"run", "mortar.prm", "-o", "results", "--restart"});
-    REQUIRE(run(folder.path(), words).status == 0);
-    return content_of(folder / "results/packing.txt") + content_of(folder / "results/genesis.json") +
-           content_of(folder / "results/series.csv");
-  };
-  const auto says_kept = [&] {
-    return run(folder.path(), {"check", "mortar.prm"}).out.find("grown before, and kept") != std::string::npos;
-  };
-  CHECK_FALSE(says_kept());
-  const std::string without = made_by({"--no-cache"});
-  CHECK_FALSE(says_kept());
-  CHECK(made_by({}) == without);
-  CHECK(says_kept());
-  CHECK(made_by({}) == without);
 }

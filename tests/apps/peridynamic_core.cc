@@ -165,11 +165,10 @@ TEST_CASE("A beam with a peridynamic core is as stiff as one of elements alone, 
   CHECK(corrected < 0.015);
 }
 
-TEST_CASE("An even strain of elements with a peridynamic core inside stays even", "[apps]")
+namespace
 {
-  // A plate that is stretched at an even rate, its sides driven as the exact motion says; the core lies in it with all four sides.
-  const ScratchFolder folder;
-  std::ofstream(folder / "even.prm") << R"(set Kind = peridynamic_core
+  /** A plate that is stretched at an even rate, its sides driven as the exact motion says; the core lies in it with all four sides. */
+  const char *const stretched_plate = R"(set Kind = peridynamic_core
 subsection Continuum
   subsection Model
     set Dimension = 2
@@ -247,6 +246,12 @@ subsection Output
   set Snapshots = 0
 end
 )";
+} // namespace
+
+TEST_CASE("An even strain of elements with a peridynamic core inside stays even", "[apps]")
+{
+  const ScratchFolder folder;
+  std::ofstream(folder / "even.prm") << stretched_plate;
   // Waves have crossed the plate more than twice. Over the displacement of its sides:
   const auto error = [&](const std::vector<std::string> &changes, const double within) {
     std::filesystem::remove_all(folder / "results");
