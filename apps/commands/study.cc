@@ -38,10 +38,8 @@ namespace apps
     {
       if (launched_ranks() == 1)
         return;
-      if (!command.part.empty() || command.options.restart)
-        throw base::InputError(
-          "command line: under mpirun the processes are the parts, and none may throw away what another has done: "
-          "neither --part nor --restart.");
+      if (!command.part.empty())
+        throw base::InputError("command line: under mpirun the processes are the parts: no --part.");
       command.options.part  = launched_rank() + 1;
       command.options.parts = launched_ranks();
       if (command.options.processes == 0)

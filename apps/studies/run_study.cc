@@ -5,7 +5,6 @@
 #include "apps/process/progress.h"
 #include "apps/results/run_result.h"
 #include "apps/studies/child_runs.h"
-#include "apps/studies/folder_lock.h"
 #include "apps/studies/study_report.h"
 #include "apps/studies/study_table.h"
 #include "base/errors.h"
@@ -185,9 +184,7 @@ namespace apps
 
   int run_study(const StudyFile &study, const StudyPlan &plan, const StudyOptions &options)
   {
-    const StudyJournal journal(options.folder, plan, options.restart);
-    const FolderLock   lock(journal.folder() / "journal" /
-                            fmt::format("part-{}-of-{}.lock", options.part, options.parts));
+    const StudyJournal journal(options.folder, plan, options.part, options.parts, options.restart);
     if (!work_off(study, plan, options, journal))
       {
         fmt::print(stderr, "interrupted; runs that are done are kept. The same command goes on with the others.\n");

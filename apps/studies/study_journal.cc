@@ -9,6 +9,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <cstdlib>
+
 namespace apps
 {
   namespace fs = std::filesystem;
@@ -22,27 +24,61 @@ namespace apps
       if (error)
         throw postprocess::OutputError(folder.string() + ": the folder cannot be made: " + error.message() + ".");
     }
+
+    /**
+     * What earlier runs of a part left, or of all parts: records, folders and logs are named by their run. Locks stay: who waits for one
+     * waits for this file.
+     */
+    void remove_runs(const fs::path &place, const long part, const long parts)
+    {
+      std::vector<fs::path> old;
+      for (const char *name : {"journal", "runs"})
+        for (const fs::directory_entry &entry : fs::directory_iterator(place / name))
+          if (const long run = std::atol(entry.path().stem().c_str()); run > 0 && (run - part) % parts == 0)
+            old.push_back(entry.path());
+      std::error_code error;
+      for (const fs::path &entry : old)
+        fs::remove_all(entry, error);
+    }
   } // namespace
 
-  StudyJournal::StudyJournal(fs::path study_folder, const StudyPlan &plan, const bool afresh)
+  StudyJournal::StudyJournal(
+    fs::path study_folder, const StudyPlan &plan, const int part, const int parts, const bool afresh)
     : place(std::move(study_folder))
   {
-    const fs::path text = place / "journal" / "plan.txt";
-    if (afresh)
-      {
-        std::error_code error;
-        for (const char *part : {"journal", "runs"})
-          fs::remove_all(place / part, error);
-      }
     make_folder(place / "journal");
     make_folder(place / "runs");
     const FolderLock alone = lock_of_all_parts(); // others may begin at the same moment
-    if (!fs::exists(text))
-      postprocess::write_text(text, plan.text);
-    else if (postprocess::numeric_text::read_whole(text) != plan.text)
+    const fs::path   text  = place / "journal" / "plan.txt";
+    const bool       begun = fs::exists(text);
+    const bool       other = begun && postprocess::numeric_text::read_whole(text) != plan.text;
+    if (other && !afresh)
       throw base::InputError(place.string() +
                              ": holds the runs of another study: its scene, factors, design or responses were others. "
                              "Choose another folder with -o, or throw them away with --restart.");
+    hold_part(part, parts, other);
+    if (other)
+      remove_runs(place, 1, 1);
+    else if (afresh)
+      remove_runs(place, part, parts); // what other parts have done or begun is theirs
+    if (!begun || other)
+      postprocess::write_text(text, plan.text);
+  }
+
+  void StudyJournal::hold_part(const int part, const int parts, const bool alone)
+  {
+    const std::string split = fmt::format("-of-{}", parts);
+    const fs::path    own   = place / "journal" / fmt::format("part-{}{}.lock", part, split);
+    for (const fs::directory_entry &entry : fs::directory_iterator(place / "journal"))
+      {
+        const std::string name = entry.path().stem().string();
+        if (entry.path().extension() != ".lock" || name.rfind("part-", 0) != 0 || entry.path() == own)
+          continue;
+        const bool shares_runs = name.substr(name.find("-of-")) != split;
+        if (alone || shares_runs)
+          const FolderLock free(entry.path()); // or another works on it
+      }
+    part_lock.emplace(own);
   }
 
   FolderLock StudyJournal::lock_of_all_parts() const { return FolderLock(place / "journal" / "all-parts.lock"); }

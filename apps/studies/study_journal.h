@@ -29,11 +29,13 @@ namespace apps
   {
   public:
     /**
-     * Open the journal of a study in its folder, or begin it.
-     * @param afresh throw away what is there
-     * @throws base::InputError where the folder holds that of another study; postprocess::OutputError
+     * Open the journal of a study in its folder, or begin it, and hold this part of it as long as this lives.
+     * @param part, parts which runs are this process's: every parts-th @param afresh throw away the runs of this part, or everything where
+     * the folder holds another study
+     * @throws base::InputError where the folder holds that of another study; postprocess::OutputError where another process works on this
+     * part, on parts that share runs with it, or on the other study
      */
-    StudyJournal(std::filesystem::path study_folder, const StudyPlan &plan, bool afresh);
+    StudyJournal(std::filesystem::path study_folder, const StudyPlan &plan, int part, int parts, bool afresh);
 
     std::optional<RunRecord> find(Eigen::Index run) const;
     void                     keep(Eigen::Index run, const RunRecord &record) const;
@@ -45,7 +47,9 @@ namespace apps
 
   private:
     std::filesystem::path record_of(Eigen::Index run) const;
+    void                  hold_part(int part, int parts, bool alone);
 
-    std::filesystem::path place;
+    std::filesystem::path     place;
+    std::optional<FolderLock> part_lock;
   };
 } // namespace apps

@@ -311,8 +311,37 @@ TEST_CASE("under mpirun each process takes a part of a study, and its runs know 
   REQUIRE(status == 0);
   CHECK(content_of(folder / "ranks/table.csv") == content_of(folder / "alone/table.csv"));
   CHECK_THAT(content_of(folder / "said"), Contains("4 runs, 0 failed"));
-  CHECK(study_on_ranks(folder, "-o ranks --restart") != 0);
-  CHECK_THAT(content_of(folder / "said"), Contains("neither --part nor --restart"));
+  std::filesystem::resize_file(folder / "ranks/journal/000001.json", 0); // damaged: only who begins afresh gets over it
+  REQUIRE(study_on_ranks(folder, "-o ranks --restart") == 0);
+  CHECK(content_of(folder / "ranks/table.csv") == content_of(folder / "alone/table.csv"));
+  CHECK(study_on_ranks(folder, "-o ranks --part 1/2") != 0);
+  CHECK_THAT(content_of(folder / "said"), Contains("no --part"));
+}
+
+TEST_CASE("a part of a study that begins afresh leaves what other parts have begun", "[apps]")
+{
+  const ScratchFolder   folder;
+  apps::StudyPlan       plan, other;
+  const apps::RunRecord done;
+  plan.text  = "a study";
+  other.text = "another";
+  {
+    const apps::StudyJournal first(folder / "out", plan, 1, 2, false), second(folder / "out", plan, 2, 2, false);
+    first.keep(0, done);
+    second.keep(1, done);
+    std::filesystem::create_directory(folder / "out/runs/000004"); // the second part is at it
+    CHECK_THROWS_WITH(apps::StudyJournal(folder / "out", other, 1, 1, true), Contains("another process works"));
+    CHECK_THROWS_WITH(apps::StudyJournal(folder / "out", plan, 1, 1, false), Contains("another process works"));
+  }
+  {
+    const apps::StudyJournal first(folder / "out", plan, 1, 2, true);
+    CHECK_FALSE(first.find(0));
+    CHECK(first.find(1));
+    CHECK(std::filesystem::exists(folder / "out/runs/000004"));
+  }
+  const apps::StudyJournal fresh(folder / "out", other, 1, 1, true);
+  CHECK_FALSE(fresh.find(1));
+  CHECK_FALSE(std::filesystem::exists(folder / "out/runs/000004"));
 }
 
 TEST_CASE("a number that stands for a curve is read from its points in order", "[apps]")
@@ -421,10 +450,10 @@ TEST_CASE("Parts of a study that begin at the same moment share one plan", "[app
       std::atomic<int>         refused{0};
       std::vector<std::thread> parts;
       for (int part = 0; part < 4; ++part)
-        parts.emplace_back([&] {
+        parts.emplace_back([&, part] {
           try
             {
-              apps::StudyJournal(folder / "study", plan, false);
+              apps::StudyJournal(folder / "study", plan, part + 1, 4, false);
             }
           catch (const std::exception &)
             {
