@@ -1,6 +1,7 @@
 #include "apps/studies/calibration.h"
 
 #include "apps/optimisation/direct_search.h"
+#include "apps/studies/calibration_doubts.h"
 #include "base/errors.h"
 
 #include <fmt/format.h>
@@ -322,6 +323,8 @@ namespace apps
     put_uncertainty(file, problem, sure, fit, found);
     found.half_widths = found.half_widths.cwiseProduct(runs.scale());
     warn(file, undetermined, found);
+    for (const std::string &doubt : doubts_of(file, runs))
+      found.warnings.push_back(doubt);
     return found;
   }
 } // namespace apps

@@ -1,5 +1,6 @@
 // breccia calibrate: what is read and refused before anything runs.
 #include "apps/scene/kinds/read_scene.h"
+#include "apps/studies/calibration_doubts.h"
 #include "apps/studies/calibration_runs.h"
 #include "apps/studies/measured_curve.h"
 #include "base/errors.h"
@@ -101,6 +102,13 @@ TEST_CASE("a target that no run has is refused before the first run by name, wit
   CHECK(told.status == 2);
   CHECK_THAT(told.err, Contains(said) && (Contains("tensile_strength") || Contains("mean_damage")));
   CHECK_FALSE(std::filesystem::exists(folder / "out/runs"));
+}
+
+TEST_CASE("a curve that ends at its peak is told from one that goes on", "[apps]")
+{
+  CHECK(apps::ends_at_its_peak(Eigen::Vector3d(1, 2, 3)));
+  CHECK(apps::ends_at_its_peak(Eigen::Vector3d(-1, -2, -3))); // compression is negative
+  CHECK_FALSE(apps::ends_at_its_peak(Eigen::Vector3d(1, 3, 2.9)));
 }
 
 TEST_CASE("curves are compared where they first get as far, and beyond its end a curve falls to zero", "[apps]")
