@@ -231,6 +231,7 @@ TEST_CASE("what a run finds is among the names that are known before it", "[apps
            {"quick_uniaxial.prm", {"Loading/Tests=compression", "Loading/Compression/Stop strain=3e-4"}},
            {"quasi_static.prm", {"Loading/Tests=tension", "Loading/Tension/Stop strain=5e-5"}},
            {"studies/mortar_quarter.prm", {"Specimen/Genesis/Size=0.01, 0.02, 0"}},
+           {"studies/law_cyclic_cell.prm", {"Specimen/Generator/Cell particles=100", "Loading/Leg 3/Duration=1e-4"}},
            {"bouncing_sphere.prm", {}}}));
   const apps::CheckedScene scene   = apps::read_scene(places::sources() + "/apps/scenes/" + file, changes);
   apps::RunRequest         request = apps::request_of(scene);

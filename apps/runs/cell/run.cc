@@ -96,7 +96,7 @@ namespace apps
                        sample.localised ? ", localised" : "");
   }
 
-  std::vector<postprocess::SeriesColumn> CellRun::series_columns() const
+  std::vector<postprocess::SeriesColumn> CellRun::columns_of_series()
   {
     std::vector<postprocess::SeriesColumn> columns = {{"time", "s"}};
     for (const char *component : base::voigt_names)

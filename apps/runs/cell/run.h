@@ -29,13 +29,15 @@ namespace apps
     /** Throws as Scene::run(). */
     RunResult execute();
 
+    static std::vector<postprocess::SeriesColumn> columns_of_series(); ///< of any model
+
   private:
     void                                   prepare() override;
     void                                   reopen(const std::filesystem::path &folder) override;
     void                                   keep_files(const std::filesystem::path &folder, bool fresh) override;
     void                                   begin(const Record &record) override;
     void                                   visit_state(RunState &state) override;
-    std::vector<postprocess::SeriesColumn> series_columns() const override;
+    std::vector<postprocess::SeriesColumn> series_columns() const override { return columns_of_series(); }
     std::string                            size() const override;
     std::string                            stage() const override { return "cell"; }
     double                                 done() const override;

@@ -1,6 +1,7 @@
 #include "apps/scene/kinds/kinds.h"
 
 #include "apps/runs/cell/forecast.h"
+#include "apps/runs/cell/outcome.h"
 #include "apps/runs/cell/run.h"
 #include "apps/runs/continuum/forecast.h"
 #include "apps/runs/continuum/run.h"
