@@ -10,9 +10,11 @@
 #include "apps/results/result_folder.h"
 #include "apps/runs/homogenisation/report.h"
 #include "apps/scene/entries/material.h"
+#include "apps/scene/entries/mix.h"
 #include "apps/scene/overrides.h"
 #include "apps/scene/parameter_file.h"
 #include "apps/scene/reader.h"
+#include "apps/specimens/mixed_specimen.h"
 #include "apps/text/value_text.h"
 #include "base/errors.h"
 #include "dem/packing/compaction.h"
@@ -50,27 +52,41 @@ namespace apps
                                        number_in(found->second).value_or(dem::CompactionParameters().friction);
     }
 
-    /** Materials as a scene has them, in the packing's numbers; whatever else the scene says is left aside. */
+    /** Whether an assignment is to an entry that was declared, or to one of the mix, of all that a scene's specimen says. */
+    bool is_of_materials(const Assignment &each, Section &root)
+    {
+      return !each.sections.empty() && root.find_section(each.sections.front()) != nullptr &&
+             (each.sections.front() != "Specimen" || (each.sections.size() > 1 && each.sections[1] == "Mix"));
+    }
+
+    /** Materials, or the mix, as a scene has them, in the packing's numbers; whatever else the scene says is left aside. */
     dem::LinkMaterials materials_of_scene(const std::string              &scene,
                                           const std::vector<std::string> &changes,
                                           dem::Packing                   &packing,
-                                          int                             dimension)
+                                          const dem::NetworkParameters   &links)
     {
       MaterialSection materials;
+      MixSection      mix;
+      SpecimenSection cell;
       Section         root;
       declare(root, materials);
+      declare(root.section("Specimen", "The particles"), mix);
       std::vector<Assignment>       said    = read_parameter_file(scene);
       const std::vector<Assignment> changed = read_overrides(changes);
       said.insert(said.end(), changed.begin(), changed.end());
-      said.erase(std::remove_if(said.begin(), said.end(),
-                                [&](const Assignment &each) {
-                                  return each.sections.empty() || root.find_section(each.sections.front()) == nullptr;
-                                }),
-                 said.end());
+      said.erase(
+        std::remove_if(said.begin(), said.end(), [&](const Assignment &each) { return !is_of_materials(each, root); }),
+        said.end());
       assign(root, said, scene);
-      with_places(root, [&] { materials.check({}, dimension); });
-      materials.assign(packing, dimension, scene);
-      return materials.materials();
+      cell.body              = SpecimenSection::Body::cell;
+      cell.interaction_ratio = links.interaction_ratio;
+      const MixedSpecimen mixed{cell, mix, materials, links.dimension};
+      with_places(root, [&] {
+        materials.check({}, links.dimension);
+        mixed.check({});
+      });
+      mixed.number(packing, scene);
+      return mixed.materials(packing.material_names);
     }
 
     /** What the links obey: moduli, or a law, or the materials of a scene. */
@@ -88,7 +104,7 @@ namespace apps
           options.question.materials  = law.materials({{"", constants_of(law, options.constants).get(), 0}});
         }
       if (!options.materials.empty())
-        options.question.materials = materials_of_scene(options.materials, options.constants, packing, links.dimension);
+        options.question.materials = materials_of_scene(options.materials, options.constants, packing, links);
     }
 
     std::vector<HomogenisationAnswer> answers_of(HomogeniseOptions &options)
@@ -172,7 +188,8 @@ namespace apps
       ->type_name("NAME");
     command
       .add_option("--materials", options->materials,
-                  "Or a scene: sections Material or Materials, Interfaces and Regions of it are what the links obey")
+                  "Or a scene: sections Material or Materials, Interfaces, Regions and Specimen/Mix of it are what the "
+                  "links obey")
       ->type_name("SCENE");
     add_overrides(command, options->constants,
                   "Constant of --law, e.g. -s \"Effective modulus=10e9\", or entry of --materials; repeatable");

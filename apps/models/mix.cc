@@ -125,7 +125,7 @@ namespace apps
     return dem::place_inclusions(sizes_in(box).diameters, p);
   }
 
-  void MixSection::check(const base::EntryPath &specimen, const Eigen::Vector3d &box, const int dimension) const
+  void MixSection::check_for_cell(const base::EntryPath &specimen, const int dimension) const
   {
     const base::EntryPath section = specimen.at("Mix");
     if (!given())
@@ -156,6 +156,13 @@ namespace apps
         section.refuse(entry, dem::material_name_rule() + std::string("."));
     if (mortar == aggregate)
       section.refuse("Aggregate", "must be another material than Mortar.");
+  }
+
+  void MixSection::check(const base::EntryPath &specimen, const Eigen::Vector3d &box, const int dimension) const
+  {
+    check_for_cell(specimen, dimension);
+    if (!given())
+      return;
     if (!(box.prod() > 0))
       specimen.refuse("Box size", "must be given: the aggregates of Mix lie in it.");
     try
@@ -164,7 +171,7 @@ namespace apps
       }
     catch (const base::InputError &refusal)
       {
-        section.refuse_within(refusal.what());
+        specimen.at("Mix").refuse_within(refusal.what());
       }
   }
 } // namespace apps

@@ -64,6 +64,8 @@ namespace apps
     bool given() const { return smallest > 0; }
     /** @param box edges, or zero where there is none [m] @throws base::InputError */
     void check(const base::EntryPath &specimen, const Eigen::Vector3d &box, int dimension) const;
+    /** The same of a periodic cell, whose edges are known once its particles are. @throws base::InputError */
+    void check_for_cell(const base::EntryPath &specimen, int dimension) const;
 
     dem::MixVolumes       volumes() const;        ///< @pre there are constituents
     dem::GradingCurve     grading_curve() const;  ///< @throws base::InputError

@@ -4,7 +4,6 @@
 #include "apps/models/tension_beyond_apex.h"
 #include "apps/specimens/material_counts.h"
 #include "apps/specimens/packing_extents.h"
-#include "apps/specimens/specimen_packing.h"
 
 #include <fmt/format.h>
 
@@ -13,8 +12,8 @@ namespace apps
   std::string forecast(const CellModel &model)
   {
     const base::Stopwatch set_up;
-    const dem::Packing    packing = make_packing(model.source, model.material, model.physics.dimension);
-    dem::Specimen         body(packing, model.specimen(), model.material.materials());
+    const dem::Packing    packing = model.mixed().packing();
+    dem::Specimen         body(packing, model.specimen(), model.mixed().materials(packing.material_names));
     dem::CellTest         test(body, model.loading()); // refuses what a run would refuse
     const double          set_up_seconds = set_up.seconds();
     double                duration       = 0;

@@ -37,6 +37,7 @@ namespace apps
   {
     source.check(root, physics.dimension);
     material.check(root, physics.dimension);
+    mixed().check(root);
     for (int i = 0; i < legs; ++i)
       for (int c = 0; c < 6; ++c)
         if (!aim_in(path[i].target[c]))

@@ -4,6 +4,7 @@
 #include "apps/models/output.h"
 #include "apps/models/specimen.h"
 #include "apps/models/time.h"
+#include "apps/specimens/mixed_specimen.h"
 #include "base/entry_path.h"
 #include "dem/loading/periodic_cell.h"
 #include "dem/specimen/specimen.h"
@@ -27,6 +28,7 @@ namespace apps
     };
 
     SpecimenSection            source;
+    MixSection                 mix; ///< of the cell
     MaterialSection            material;
     dem::Physics               physics;
     TimeSection                time;
@@ -40,6 +42,7 @@ namespace apps
     /** Rules between entries. @throws base::InputError */
     void                    check(const base::EntryPath &root) const;
     dem::SpecimenParameters specimen() const;
-    dem::CellTestParameters loading() const; ///< @pre checked
+    MixedSpecimen mixed() const { return {source, mix, material, physics.dimension}; } ///< its particles and links
+    dem::CellTestParameters loading() const;                                           ///< @pre checked
   };
 } // namespace apps

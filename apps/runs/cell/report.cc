@@ -5,6 +5,7 @@
 #include "apps/models/tension_beyond_apex.h"
 #include "apps/process/progress.h"
 #include "apps/specimens/deep_overlap.h"
+#include "apps/specimens/link_classes.h"
 #include "base/voigt.h"
 #include "postprocess/pictures/plot.h"
 
@@ -103,6 +104,11 @@ namespace apps
                                {"threads", omp_get_max_threads()},
                                {"wall_seconds", wall_seconds}};
     materials.put_into(summary);
+    const LinkClasses classes(model.mixed().link_classes(packing.material_names));
+    if (const nlohmann::json by_class = classes.json(classes.figures(specimen)); !by_class.empty())
+      summary["link_classes"] = by_class;
+    if (model.mix.given())
+      summary["mix"] = model.mixed().figures(packing.periodic_cell).json();
     return summary;
   }
 

@@ -17,6 +17,7 @@ namespace apps
   {
     const RunRequest            &request;
     const CellModel             &model;
+    const dem::Packing          &packing;
     const dem::ObservedSpecimen &specimen;
     const dem::CellTest         &test;
     const MaterialCounts        &materials;

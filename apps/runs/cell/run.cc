@@ -27,7 +27,8 @@ namespace apps
   void CellRun::make_test()
   {
     const Progress progress("links");
-    specimen  = std::make_shared<dem::Specimen>(packing, model.specimen(), model.material.materials());
+    specimen =
+      std::make_shared<dem::Specimen>(packing, model.specimen(), model.mixed().materials(packing.material_names));
     materials = MaterialCounts(packing.material_names, *specimen);
     test.emplace(*specimen, model.loading());
     constexpr double limit = 1e12; // a year at thirty thousand steps a second
@@ -45,7 +46,7 @@ namespace apps
 
   void CellRun::prepare()
   {
-    packing = make_packing(model.source, model.material, model.physics.dimension);
+    packing = model.mixed().packing();
     make_test();
   }
 
@@ -149,7 +150,7 @@ namespace apps
 
   CellReport CellRun::report(const double wall_seconds) const
   {
-    return {request, model, *specimen, *test, materials, worst_balance_error, wall_seconds};
+    return {request, model, packing, *specimen, *test, materials, worst_balance_error, wall_seconds};
   }
 
   RunFindings CellRun::findings(const postprocess::CsvTable &, const double wall_seconds)

@@ -29,7 +29,8 @@ namespace apps
       {
         text += fmt::format("  {:<12} at least {:.0f} points to its stop strain\n", name_of(load),
                             model.steps(load).end_strain / model.steps(load).strain_step);
-        seconds += set_up_seconds + expected_path_seconds(loaded, model.material.materials(), model.steps(load));
+        seconds += set_up_seconds +
+                   expected_path_seconds(loaded, model.mixed().materials(packing.material_names), model.steps(load));
       }
     return text + duration_line(seconds);
   }

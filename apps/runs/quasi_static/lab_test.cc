@@ -90,7 +90,7 @@ namespace apps
     , radius(packing.radius)
     , cell(edges_of(packing))
     , loaded(model.load(packing))
-    , path(loaded, model.material.materials(), model.steps(model.tests[which]))
+    , path(loaded, model.mixed().materials(packing.material_names), model.steps(model.tests[which]))
   {
     result.load          = model.tests[which];
     result.stop_fraction = model.steps(model.tests[which]).end_stress;

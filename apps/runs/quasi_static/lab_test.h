@@ -66,6 +66,9 @@ namespace apps
     /** A network of links without inertia has none. */
     std::shared_ptr<const dem::ObservedSpecimen> specimen_at_end() const { return nullptr; }
 
+    /** Of the packing, where it is a periodic cell. */
+    std::optional<Eigen::Vector3d> cell_edges() const { return layers ? std::nullopt : std::optional(cell); }
+
     std::string size() const; ///< "175 particles, 1203 links"
     double      done() const;
     std::string details() const;

@@ -1,13 +1,12 @@
 #include "apps/runs/quasi_static/model.h"
 
-#include "apps/specimens/specimen_packing.h"
-
 namespace apps
 {
   void QuasiStaticModel::check(const base::EntryPath &root) const
   {
     source.check(root, dimension);
     material.check(root, dimension);
+    mixed().check(root);
     const base::EntryPath loading = root.at("Loading");
     if (dimension == 2 && axis == 2)
       loading.refuse("Axis", "in two dimensions the specimen lies in the plane z = 0. Load it along x or y.");
@@ -18,8 +17,6 @@ namespace apps
         loading.at(load == UniaxialLoad::tension ? "Tension" : "Compression")
           .refuse("Stop strain", "must not be below the strain step.");
   }
-
-  dem::Packing QuasiStaticModel::packing() const { return make_packing(source, material, dimension); }
 
   dem::QuasiStaticParameters QuasiStaticModel::steps(const UniaxialLoad load) const
   {
@@ -45,13 +42,14 @@ namespace apps
   dem::LoadedNetwork QuasiStaticModel::load(const dem::Packing &packing) const
   {
     dem::NetworkParameters links;
-    links.dimension         = dimension;
-    links.rotations         = rotations;
-    links.interaction_ratio = source.interaction_ratio;
-    links.installation_gap  = source.installation_gap;
-    links.thickness         = source.thickness;
+    links.dimension                    = dimension;
+    links.rotations                    = rotations;
+    links.interaction_ratio            = source.interaction_ratio;
+    links.installation_gap             = source.installation_gap;
+    links.thickness                    = source.thickness;
+    const dem::LinkMaterials materials = mixed().materials(packing.material_names);
     if (is_cell())
-      return dem::load_cell(dem::make_network(packing, links, material.materials()), axis, !lateral_blocked);
+      return dem::load_cell(dem::make_network(packing, links, materials), axis, !lateral_blocked);
     dem::GripPair pair;
     pair.axis            = axis;
     pair.lateral_blocked = lateral_blocked;
@@ -59,6 +57,6 @@ namespace apps
     pair.layers          = grip_layers(packing);
     dem::Packing free    = packing;
     free.periodic_cell.reset();
-    return dem::load_grips(dem::make_network(free, links, material.materials()), pair);
+    return dem::load_grips(dem::make_network(free, links, materials), pair);
   }
 } // namespace apps

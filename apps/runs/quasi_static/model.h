@@ -3,6 +3,7 @@
 #include "apps/models/loading.h"
 #include "apps/models/material.h"
 #include "apps/models/specimen.h"
+#include "apps/specimens/mixed_specimen.h"
 #include "base/entry_path.h"
 #include "dem/statics/quasi_static_path.h"
 
@@ -20,6 +21,7 @@ namespace apps
     };
 
     SpecimenSection           source;
+    MixSection                mix; ///< of the specimen
     int                       dimension = 3;
     bool                      rotations = true;
     MaterialSection           material;
@@ -37,7 +39,8 @@ namespace apps
 
     const std::vector<UniaxialLoad> &loads() const { return tests; } ///< of the tests, in their order
     double                           longest_without_checkpoint() const { return checkpoint_interval; } ///< [s]
-    dem::Packing                     packing() const; ///< of all tests. @throws as make_packing()
+    dem::Packing                     packing() const { return mixed().packing(); } ///< of all tests
+    MixedSpecimen                    mixed() const { return {source, mix, material, dimension}; }
     bool                             is_cell() const { return source.body == SpecimenSection::Body::cell; }
     dem::QuasiStaticParameters       steps(UniaxialLoad load) const;
     /** @throws base::InputError when the packing cannot be gripped so */

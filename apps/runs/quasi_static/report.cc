@@ -53,6 +53,8 @@ namespace apps
                          {"wall_seconds", wall_seconds}};
     summary["energy"] = {{"balance_error", worst_balanced(results).worst_balance_error}};
     test.materials.put_into(summary);
+    if (model.mix.given())
+      summary["mix"] = model.mixed().figures(test.cell_edges()).json();
     for (const QuasiStaticResult &r : results)
       summary["tests"].push_back(details_of(r));
     return summary;
@@ -74,6 +76,8 @@ namespace apps
   std::string QuasiStaticReport::text() const
   {
     std::string text;
+    if (model.mix.given())
+      text += fmt::format("mix          {}\n", model.mixed().figures(test.cell_edges()).text());
     for (const QuasiStaticResult &r : results)
       {
         text += text_of(r.notes);

@@ -25,9 +25,9 @@ namespace apps
       const dem::UniaxialParameters test = asked.loading.parameters(load);
       if (!asked.physics.damage)
         return test.stop_strain;
-      return std::min(
-        test.stop_strain,
-        strain_of_failure(*asked.materials(packing.material_names).bonds_in_space(asked.physics), packing, test));
+      return std::min(test.stop_strain,
+                      strain_of_failure(*asked.mixed().materials(packing.material_names).bonds_in_space(asked.physics),
+                                        packing, test));
     }
 
     /** Rows and snapshots of a test that goes to its stop strain. */
@@ -56,7 +56,7 @@ namespace apps
   {
     const base::Stopwatch set_up;
     const dem::Packing    packing   = asked.packing();
-    const auto            materials = asked.materials(packing.material_names);
+    const auto            materials = asked.mixed().materials(packing.material_names);
     dem::Specimen         body(packing, asked.specimen(), materials);
     const double          set_up_seconds = set_up.seconds();
     std::string           text;

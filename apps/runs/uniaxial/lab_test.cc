@@ -37,9 +37,9 @@ namespace apps
 
   UniaxialLabTest::UniaxialLabTest(const UniaxialModel &model, const dem::Packing &packing, const std::size_t which)
     : name(name_of(model.loading.tests[which]))
-    , classes(model.link_classes(packing.material_names))
+    , classes(model.mixed().link_classes(packing.material_names))
     , axis(model.loading.axis)
-    , specimen(packing, model.specimen(), model.materials(packing.material_names))
+    , specimen(packing, model.specimen(), model.mixed().materials(packing.material_names))
     , test(specimen, model.loading.parameters(model.loading.tests[which]))
     , gravity(model.gravity)
     , steps_at_most(most_steps(model.loading, model.loading.tests[which], specimen.time_step()))

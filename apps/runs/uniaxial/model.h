@@ -7,6 +7,7 @@
 #include "apps/models/output.h"
 #include "apps/models/specimen.h"
 #include "apps/models/time.h"
+#include "apps/specimens/mixed_specimen.h"
 #include "base/entry_path.h"
 #include "dem/specimen/specimen.h"
 
@@ -31,11 +32,7 @@ namespace apps
     dem::SpecimenParameters          specimen() const;
     const std::vector<UniaxialLoad> &loads() const { return loading.tests; } ///< of the tests, in their order
     double                           longest_without_checkpoint() const { return output.checkpoint_interval; } ///< [s]
-    dem::Packing                     packing() const; ///< of all tests. @throws as make_packing()
-
-    /** @param names of the packing's materials */
-    dem::LinkMaterials materials(const std::vector<std::string> &names) const;
-    std::vector<std::string>
-    link_classes(const std::vector<std::string> &names) const; ///< of each pair of these; empty: of one material
+    dem::Packing                     packing() const { return mixed().packing(); } ///< of all tests
+    MixedSpecimen                    mixed() const; ///< of which particles and links are made
   };
 } // namespace apps

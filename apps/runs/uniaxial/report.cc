@@ -73,15 +73,15 @@ namespace apps
       summary["energy"]["not_in_balance"] = left_out;
     test.materials.put_into(summary);
     for (const UniaxialResult &result : results)
-      summary["tests"].push_back(test_details(result, LinkClasses(model.link_classes(test.materials.names))));
+      summary["tests"].push_back(test_details(result, LinkClasses(model.mixed().link_classes(test.materials.names))));
     if (model.mix.given())
-      summary["mix"] = mix_figures(model.mix, model.source.box_edges(), false).json();
+      summary["mix"] = model.mixed().figures().json();
     return summary;
   }
 
   std::string UniaxialReport::not_in_balance() const
   {
-    return left_out_of_balance(*model.materials(test.materials.names).bonds(model.physics),
+    return left_out_of_balance(*model.mixed().materials(test.materials.names).bonds(model.physics),
                                test.body().particles().radius);
   }
 
@@ -91,9 +91,7 @@ namespace apps
     for (const UniaxialResult &result : results)
       panels.push_back(panel_of(result.load, result.strain, result.stress));
     if (model.mix.given())
-      if (std::string missing =
-            mix_figures(model.mix, model.source.box_edges(), false).draw(file.parent_path() / "grading.png");
-          !missing.empty())
+      if (std::string missing = model.mixed().figures().draw(file.parent_path() / "grading.png"); !missing.empty())
         return missing;
     return postprocess::plot(file, panels);
   }
@@ -102,9 +100,10 @@ namespace apps
   {
     std::string text;
     if (model.mix.given())
-      text += fmt::format("mix          {}\n", mix_figures(model.mix, model.source.box_edges(), false).text());
+      text += fmt::format("mix          {}\n", model.mixed().figures().text());
     for (const UniaxialResult &result : results)
-      text += text_of(result.notes) + LinkClasses(model.link_classes(test.materials.names)).text(result.link_classes);
+      text +=
+        text_of(result.notes) + LinkClasses(model.mixed().link_classes(test.materials.names)).text(result.link_classes);
     text += basis_of(results.front().notes);
     text += warning_lines(notes_of(results));
     for (const std::string &doubt : tension_beyond_apex(model.material))

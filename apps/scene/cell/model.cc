@@ -1,6 +1,7 @@
 #include "apps/scene/cell/model.h"
 
 #include "apps/scene/entries/material.h"
+#include "apps/scene/entries/mix.h"
 #include "apps/scene/entries/output.h"
 #include "apps/scene/entries/physics.h"
 #include "apps/scene/entries/specimen.h"
@@ -46,6 +47,7 @@ namespace apps
     use.box  = false;
     use.cell = true;
     declare(root, model.source, model.physics.dimension, use);
+    declare(*root.find_section("Specimen"), model.mix);
     declare(root, model.material);
     declare_physics(root, model.physics);
     declare(root, model.time);

@@ -2,6 +2,7 @@
 
 #include "apps/scene/entries/grips.h"
 #include "apps/scene/entries/material.h"
+#include "apps/scene/entries/mix.h"
 #include "apps/scene/entries/physics.h"
 #include "apps/scene/entries/specimen.h"
 #include "apps/scene/section.h"
@@ -60,6 +61,7 @@ namespace apps
     use.inertia = false;
     use.cell    = true;
     declare(root, model.source, model.dimension, use);
+    declare(*root.find_section("Specimen"), model.mix);
     declare(root, model.material, use.inertia);
 
     declare_static_physics(root, model.dimension, model.rotations);

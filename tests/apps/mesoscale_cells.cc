@@ -1,0 +1,301 @@
+#include "apps/models/mix.h"
+#include "apps/runs/homogenisation/moduli.h"
+#include "apps/specimens/mixed_specimen.h"
+#include "dem/laws/cpm.h"
+#include "dem/packing/compaction.h"
+#include "tests/apps/interrupted_runs.h"
+#include "tests/apps/program.h"
+#include "tests/apps/scenes.h"
+#include "tests/apps/scratch_folder.h"
+
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <csignal>
+#include <filesystem>
+#include <sstream>
+#include <string>
+
+using namespace apps_tests;
+using Catch::Contains;
+using Catch::WithinRel;
+
+namespace
+{
+  /** Bulk and shear modulus [Pa]. */
+  struct Moduli
+  {
+    double bulk, shear;
+  };
+
+  Moduli moduli_of(const dem::ElasticConstants &constants)
+  {
+    return {constants.young / (3 * (1 - 2 * constants.poisson)), constants.young / (2 * (1 + constants.poisson))};
+  }
+
+  double young(const Moduli &m) { return 9 * m.bulk * m.shear / (3 * m.bulk + m.shear); }
+
+  /** Hashin and Shtrikman (1963), J. Mech. Phys. Solids 11, 127, eqs. 4.1 to 4.4: that bound of the two whose matrix is `matrix`. */
+  Moduli bound(const Moduli &matrix, const Moduli &other, const double part)
+  {
+    const double K = matrix.bulk, G = matrix.shear, reference = 3 * K + 4 * G;
+    return {K + part / (1 / (other.bulk - K) + 3 * (1 - part) / reference),
+            G + part / (1 / (other.shear - G) + 6 * (1 - part) * (K + 2 * G) / (5 * G * reference))};
+  }
+
+  /** A few spheres in a matrix that do not see each other: Eshelby (1957), Proc. R. Soc. A 241, 376, section 5. */
+  Moduli dilute(const Moduli &matrix, const Moduli &other, const double part)
+  {
+    const double K = matrix.bulk, G = matrix.shear, alpha = 3 * K / (3 * K + 4 * G),
+                 beta = 6 * (K + 2 * G) / (5 * (3 * K + 4 * G));
+    return {K + part * (other.bulk - K) / (1 + alpha * (other.bulk / K - 1)),
+            G + part * (other.shear - G) / (1 + beta * (other.shear / G - 1))};
+  }
+
+  constexpr double stiffer = 10; ///< aggregate over mortar
+
+  apps::MaterialSection mortar()
+  {
+    dem::CpmParameters p;
+    p.normal_modulus       = 25e9;
+    p.shear_ratio          = 0.2;
+    p.limit_elastic_strain = 1e-4;
+    p.relative_ductility   = 30;
+    p.cohesion             = 3e6;
+    p.friction_coefficient = 0.8;
+    apps::MaterialSection material;
+    material.only.choose(p);
+    return material;
+  }
+
+  /** Spheres of nearly 12 mm; a link from one phase to the other is half of each, in series. */
+  apps::MixSection round_aggregates(const double content)
+  {
+    apps::MixSection mix;
+    mix.content    = content;
+    mix.grading    = apps::MixSection::Grading::passing;
+    mix.curve      = "11.9e-3: 0, 12.1e-3: 100";
+    mix.smallest   = 11.9e-3;
+    mix.sizes      = apps::MixSection::Sizes::drawn;
+    mix.clearance  = 0.001;
+    mix.aggregates = {stiffer, stiffer, 1};
+    mix.interface  = {2 * stiffer / (1 + stiffer), 2 * stiffer / (1 + stiffer), 1};
+    return mix;
+  }
+
+  /** Of a packing as it is numbered; the part of its particles that is aggregate. */
+  struct Composite
+  {
+    Moduli moduli;
+    double part;
+  };
+
+  Composite composite_of(dem::Packing packing, const apps::MixSection &mix)
+  {
+    apps::SpecimenSection cell;
+    cell.body                            = apps::SpecimenSection::Body::cell;
+    cell.interaction_ratio               = 1.5;
+    const apps::MaterialSection material = mortar();
+    const apps::MixedSpecimen   mixed{cell, mix, material, 3};
+    mixed.check({});
+    mixed.number(packing, "packing");
+    apps::HomogenisationQuestion question;
+    question.links.interaction_ratio = cell.interaction_ratio;
+    question.materials               = mixed.materials(packing.material_names);
+    const auto answer                = apps::homogenise(packing, question, "packing");
+    const auto mortars               = std::count(packing.material.begin(), packing.material.end(), 0);
+    const auto all                   = static_cast<double>(packing.size());
+    return {moduli_of(answer.relaxed.constants.value()),
+            packing.material.empty() ? 0 : 1 - static_cast<double>(mortars) / all};
+  }
+} // namespace
+
+TEST_CASE("Mix: stiff spheres in a soft cell lie between the bounds of Hashin and Shtrikman, few at Eshelby's limit",
+          "[apps][mesoscale]")
+{
+  dem::CompactionParameters asked;
+  asked.radius               = 1e-3;
+  asked.count                = 4000;
+  asked.friction             = 1;
+  const dem::Packing packing = dem::compact(asked).packing;
+  const Moduli       soft    = composite_of(packing, {}).moduli, stiff{stiffer * soft.bulk, stiffer * soft.shear};
+
+  const Composite one = composite_of(packing, round_aggregates(0.03));
+  REQUIRE(one.part > 0.02);
+  REQUIRE(one.part < 0.03);
+  const double limit = young(dilute(soft, stiff, one.part));
+  CHECK_THAT(young(one.moduli), WithinRel(limit, 0.02));
+  // What the sphere adds is itself met: the two per cent alone would let none pass.
+  CHECK_THAT(young(one.moduli) - young(soft), WithinRel(limit - young(soft), 0.25));
+
+  for (const double content : {0.11, 0.2})
+    {
+      const Composite several = composite_of(packing, round_aggregates(content));
+      const Moduli    lower = bound(soft, stiff, several.part), upper = bound(stiff, soft, 1 - several.part);
+      INFO(several.part << ": E " << young(several.moduli) << " between " << young(lower) << " and " << young(upper));
+      CHECK(several.moduli.bulk > lower.bulk);
+      CHECK(several.moduli.shear > lower.shear);
+      CHECK(several.moduli.bulk < upper.bulk);
+      CHECK(several.moduli.shear < upper.shear);
+    }
+}
+
+namespace
+{
+  /** n^3 touching spheres of 1 mm on a cubic lattice that are a little displaced, periodic. */
+  std::string uneven_lattice(const int n)
+  {
+    std::ostringstream text;
+    text << "# periodic_cell " << 2e-3 * n << ' ' << 2e-3 * n << ' ' << 2e-3 * n << '\n';
+    for (int i = 0; i < n * n * n; ++i)
+      text << 2e-3 * (i % n + 0.03 * std::sin(7 * i)) << ' ' << 2e-3 * (i / n % n + 0.03 * std::sin(11 * i)) << ' '
+           << 2e-3 * (i / (n * n) + 0.03 * std::sin(13 * i)) << " 1e-3\n";
+    return text.str();
+  }
+
+  const std::string two_sizes = R"(
+  subsection Mix
+    set Content            = 0.3
+    set Grading            = passing
+    set Curve              = 6e-3: 100, 4e-3: 0
+    set Smallest aggregate = 4e-3
+    set Sizes              = drawn
+  end
+)";
+
+  /** Of a periodic cell of 12 mm in each edge; `loading` in place of that of a uniaxial scene. */
+  std::string cell_of_concrete(const std::string &kind, const std::string &loading)
+  {
+    std::string scene = replaced(scene_with_file(), "Kind = uniaxial", "Kind = " + kind);
+    const auto  begin = scene.find("subsection Loading"), end = scene.find("subsection Output");
+    scene.replace(begin, end - begin, loading);
+    return replaced(scene, "Interaction ratio = 1.5\n", "Interaction ratio = 1.5\n" + two_sizes);
+  }
+
+  std::string moving_cell()
+  {
+    return cell_of_concrete("cell", "subsection Loading\n  subsection Leg 1\n    set Duration = 1e-3\n"
+                                    "    set xx = strain 4e-4\n  end\nend\n");
+  }
+
+  std::string still_cell()
+  {
+    const std::string scene = cell_of_concrete(
+      "quasi_static", "subsection Loading\n  set Tests = tension\n  set Axis = x\n"
+                      "  subsection Tension\n    set Stop strain = 1e-4\n    set Strain step = 5e-6\n  end\nend\n");
+    return replaced(replaced(scene, "  set Density           = 4800\n", "  set Body = cell\n"),
+                    "  set Samples   = 50\n  set Snapshots = 5\n", "");
+  }
+
+  nlohmann::json summary_of(const ScratchFolder &folder, const std::string &results)
+  {
+    return nlohmann::json::parse(content_of(folder / results / "summary.json"));
+  }
+} // namespace
+
+TEST_CASE("Mix: a cell has aggregates over its faces and figures by class of links, the same bits with two threads",
+          "[apps][mesoscale][slow]")
+{
+  const ScratchFolder folder;
+  folder.file("packing.txt", uneven_lattice(6));
+  folder.file("moving.prm", moving_cell());
+  folder.file("still.prm", still_cell());
+  for (const std::string scene : {"moving", "still"})
+    {
+      for (const std::string threads : {"1", "2"})
+        {
+          const Outcome outcome =
+            run(folder.path(), {"run", scene + ".prm", "-o", scene + threads, "--threads", threads});
+          INFO(scene << ": " << outcome.err);
+          REQUIRE(outcome.status == 0);
+        }
+      CHECK(content_of(folder / (scene + "1/series.csv")) == content_of(folder / (scene + "2/series.csv")));
+      const auto summary = summary_of(folder, scene + "1");
+      CHECK(summary["mix"]["aggregates"] > 4);
+      CHECK_THAT(summary["mix"]["content"].get<double>(), WithinRel(0.3, 0.1));
+      CHECK(summary["materials"].size() > 1);
+      CHECK(summary["energy"]["balance_error"].get<double>() < 1e-3);
+    }
+  const auto  summary = summary_of(folder, "moving1");
+  std::size_t links   = 0;
+  for (const auto &each : summary["link_classes"])
+    {
+      links += each["links"].get<std::size_t>();
+      if (each["class"] == "aggregate")
+        CHECK(each["mean_damage"] == 0);
+      if (each["class"] == "interface")
+        CHECK(each["mean_damage"] > 0);
+    }
+  CHECK(summary["link_classes"].size() == 3);
+  CHECK(links == summary["cost"]["links"]);
+}
+
+TEST_CASE("Mix: an interrupted cell of concrete goes on to the same bits", "[apps][mesoscale][slow][S13]")
+{
+  const ScratchFolder folder;
+  folder.file("packing.txt", uneven_lattice(6));
+  folder.file("x.prm", replaced(moving_cell(), "Duration = 1e-3", "Duration = 8e-3") +
+                         "subsection Output\n  set Checkpoint interval = 0.01\nend\n");
+  const auto reproducible_part = [](const std::filesystem::path &results) {
+    return content_of(results / "series.csv") + listing_of(results / "cell_links");
+  };
+  goes_on_to_the_same_bits(folder, {{"run", "x.prm"}, {"checkpoint.h5"}, reproducible_part}, {SIGINT});
+}
+
+TEST_CASE("Mix: homogenise takes it from a scene, and refuses what is none by its entry", "[apps][mesoscale]")
+{
+  const ScratchFolder folder;
+  folder.file("packing.txt", uneven_lattice(6));
+  folder.file("x.prm", moving_cell());
+  const auto young_with = [&](const std::string &factor) {
+    const Outcome outcome =
+      run(folder.path(),
+          {"homogenise", "packing.txt", "--interaction-ratio", "1.5", "--materials", "x.prm", "-o", "out", "-s",
+           "Specimen/Mix/Aggregates/Stiffness factor=" + factor, "-s", "Specimen/Mix/Interface/Stiffness factor=1"});
+    INFO(outcome.err);
+    REQUIRE(outcome.status == 0);
+    const auto found = nlohmann::json::parse(content_of(folder / "out/homogenised.json"));
+    return found["relaxed"]["stiffness"][0][0].get<double>();
+  };
+  const double alike = young_with("1");
+  const double plain = [&] {
+    const Outcome outcome = run(folder.path(), {"homogenise", "packing.txt", "--interaction-ratio", "1.5",
+                                                "--normal-modulus", "25e9", "--shear-ratio", "0.2", "-o", "out"});
+    REQUIRE(outcome.status == 0);
+    return nlohmann::json::parse(content_of(folder / "out/homogenised.json"))["relaxed"]["stiffness"][0][0]
+      .get<double>();
+  }();
+  CHECK_THAT(alike, WithinRel(plain, 1e-8)); // aggregates of the mortar's stiffness are none
+  CHECK(young_with("10") > 1.02 * alike);
+
+  folder.file("bad.prm", replaced(moving_cell(), "6e-3: 100, 4e-3: 0", "6e-3: 0, 4e-3: 100"));
+  const Outcome refused =
+    run(folder.path(), {"homogenise", "packing.txt", "--interaction-ratio", "1.5", "--materials", "bad.prm"});
+  CHECK(refused.status == 2);
+  CHECK_THAT(refused.err, Contains("less passes than the finer sieve"));
+}
+
+TEST_CASE("Mix: with Materials each has constants of its own, and particles that lie in an aggregate are of it",
+          "[apps][mesoscale]")
+{
+  const ScratchFolder folder;
+  folder.file("packing.txt", uneven_lattice(6));
+  std::string scene = still_cell();
+  const auto  begin = scene.find("  subsection CPM"), end = scene.find("subsection Loading");
+  const auto  head = scene.find("subsection Material\n");
+  REQUIRE(head < begin);
+  const std::string constants = scene.substr(begin, scene.rfind("end\n", end) - begin);
+  const auto        named     = [&](const std::string &name, const std::string &block) {
+    return "subsection " + name + "\n  set Law = CPM\n" + block + "end\n";
+  };
+  scene.replace(head, end - head,
+                "subsection Materials\n" + named("mortar", constants) +
+                  named("aggregate", replaced(constants, "25e9", "50e9")) + "end\n");
+  folder.file("x.prm", scene);
+  const Outcome outcome = run(folder.path(), {"check", "x.prm"});
+  INFO(outcome.err << scene);
+  CHECK(outcome.status == 0);
+  CHECK_THAT(outcome.out, Contains("mortar") && Contains("aggregate") && !Contains("aggregate+2"));
+}
