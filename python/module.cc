@@ -5,6 +5,7 @@
 #include "base/errors.h"
 #include "dem/specimen/observation.h"
 #include "postprocess/files/errors.h"
+#include "python/moving_particles.h"
 #include "python/run_of_scene.h"
 
 #include <pybind11/numpy.h>
@@ -136,4 +137,5 @@ PYBIND11_MODULE(_breccia, m)
                   const bool resume, const py::object &on_sample) {
     return python::run_scene(file, changes, {folder, resume, on_sample});
   });
+  python::bind_moving_particles(m);
 }

@@ -13,7 +13,7 @@ from . import _breccia  # noqa: E402
 from ._breccia import InputError, NumericalError, OutputError  # noqa: E402
 
 __version__ = _breccia.version
-__all__ = ["Scene", "Result", "Figure", "InputError", "NumericalError", "OutputError"]
+__all__ = ["Scene", "Particles", "Result", "Figure", "InputError", "NumericalError", "OutputError"]
 
 
 class Figure(NamedTuple):
@@ -109,6 +109,89 @@ class Scene(MutableMapping):
         """
         folder = "" if folder is None else os.fspath(folder)
         return Result(_breccia.run(self.file, self._words(), folder, resume, on_sample))
+
+    def particles(self):
+        """The particles of a scene of kind "particles", to be moved step by step: Particles. Raises InputError."""
+        return Particles(_breccia.MovingParticles(self.file, self._words()))
+
+
+class Particles:
+    """Particles that a program moves step by step, beside what their scene does to them. Numbers are those of the packing, from 0.
+
+    position, velocity, force (n, 3), radius, mass, number, broken_links (n): arrays that show the particles as they are now, without
+    copies; they follow every step and cannot be written to. Their order is the program's own: number says which particle of the packing
+    each is. Positions [m], velocities half a step back [m/s], forces at the start of the last step [N].
+    """
+
+    def __init__(self, moving):
+        self._moving = moving
+        for name, view in moving.views().items():
+            setattr(self, name, view)
+
+    @property
+    def time(self):
+        """Now [s]."""
+        return self._moving.time
+
+    @property
+    def steps(self):
+        """Taken since the start."""
+        return self._moving.steps
+
+    @property
+    def time_step(self):
+        """In use [s]; may be set, up to longest_step."""
+        return self._moving.time_step
+
+    @time_step.setter
+    def time_step(self, step):
+        self._moving.set_time_step(step)
+
+    @property
+    def longest_step(self):
+        """That may be set now [s]."""
+        return self._moving.longest_step
+
+    @property
+    def energies(self):
+        """By name [J], and balance_error [-]."""
+        return self._moving.energies()
+
+    def advance(self, steps=1):
+        """Take steps. Other threads go on; Ctrl-C ends after a step with KeyboardInterrupt. Raises NumericalError."""
+        return self._moving.advance(steps)
+
+    def add_force(self, particle, force, couple=(0, 0, 0)):
+        """Push a particle from outside in every step until clear_forces() [N, N m]; several add up; work counts as external."""
+        self._moving.add_force(particle, force, couple)
+
+    def clear_forces(self):
+        """Let go of all that add_force() pushes."""
+        self._moving.clear_forces()
+
+    def apply_impulse(self, particle, change, spin=(0, 0, 0)):
+        """Change a particle's velocity at once [m/s, rad/s]."""
+        self._moving.apply_impulse(particle, change, spin)
+
+    def hold(self, particles, along=(True,) * 6):
+        """From now on these move as set_velocity() says along x, y, z and about them, at first not at all. Returns the group's number."""
+        return self._moving.hold(list(particles), along)
+
+    def set_velocity(self, group, velocity, spin=(0, 0, 0)):
+        """Of a held group [m/s, rad/s]."""
+        self._moving.set_velocity(group, velocity, spin)
+
+    def reaction(self, group):
+        """Force that holds a group, at the start of the last step [N]."""
+        return self._moving.reaction(group)
+
+    def save(self):
+        """Keep the present state in memory, histories included; one at a time. Held groups are to be made before."""
+        self._moving.save()
+
+    def restore(self):
+        """Back to it, as often as wanted: the same steps give the same bits."""
+        self._moving.restore()
 
 
 class Result:

@@ -189,6 +189,79 @@ class RunTest(unittest.TestCase):
         self.assertIsNone(result.particles())
 
 
+class ParticlesTest(unittest.TestCase):
+    """The ball of 10 mm on its way to the anvil, 5 mm below: particle 1 of the packing."""
+
+    changes = {"Time/Damping": 0}
+
+    def ball(self):
+        particles = breccia.Scene(BALL, self.changes).particles()
+        return particles, particles.number.tolist().index(1)
+
+    def test_steps_give_the_bits_of_a_run_and_views_follow(self):
+        rows = breccia.Scene(BALL).run().series
+        particles, ball = self.ball()
+        height = particles.position
+        self.assertFalse(height.flags.owndata)
+        for row in range(1, 60, 7):
+            while particles.time < rows["time"][row]:
+                particles.advance()
+            self.assertEqual(height[ball, 2], rows["height"][row])
+
+    def test_force_from_outside_holds_a_ball_and_does_its_work(self):
+        particles, ball = self.ball()
+        weight = particles.mass[ball] * 9.81
+        particles.add_force(1, (0, 0, weight))
+        particles.advance(500)
+        self.assertAlmostEqual(particles.velocity[ball, 2], 0, delta=1e-15)
+        particles.clear_forces()
+        particles.add_force(1, (2 * weight, 0, 0))
+        start = particles.time
+        particles.advance(500)
+        # F = 2 m g from rest: x = g t^2, less or more half a step at either end; its work is F x.
+        passed = particles.time - start
+        self.assertAlmostEqual(particles.position[ball, 0] / (9.81 * passed**2), 1, delta=3e-3)
+        self.assertAlmostEqual(
+            particles.energies["external_work"] / (2 * weight * particles.position[ball, 0]), 1, delta=5e-3
+        )
+        self.assertLess(particles.energies["balance_error"], 1e-9)
+
+    def test_impulse_throws_and_held_group_moves_as_prescribed(self):
+        particles, ball = self.ball()
+        particles.apply_impulse(1, (3, 0, 0))
+        particles.advance(200)
+        self.assertAlmostEqual(particles.position[ball, 0] / (3 * particles.time), 1, delta=1e-12)
+        group = particles.hold([1])
+        particles.set_velocity(group, (0, 0, 0.5))
+        before, start = particles.position[ball].copy(), particles.time
+        particles.advance(100)
+        moved = particles.position[ball] - before
+        self.assertAlmostEqual(moved[2], 0.5 * (particles.time - start), delta=1e-15)
+        self.assertEqual(moved[0], 0)
+        self.assertAlmostEqual(particles.reaction(group)[2] / (particles.mass[ball] * 9.81), 1, delta=1e-9)
+
+    def test_saved_state_goes_on_to_the_same_bits_again(self):
+        particles, ball = self.ball()
+        with self.assertRaisesRegex(RuntimeError, "no state"):
+            particles.restore()
+        particles.advance(3000)
+        particles.save()
+        particles.advance(1500)
+        once = particles.position.copy()
+        particles.restore()
+        self.assertNotEqual(particles.position[ball, 2], once[ball, 2])
+        particles.advance(1500)
+        self.assertTrue(numpy.array_equal(particles.position, once))
+        with self.assertRaises(IndexError):
+            particles.add_force(2, (0, 0, 1))
+        with self.assertRaises(IndexError):
+            particles.hold([0, 2])
+        with self.assertRaisesRegex(IndexError, "group 17"):
+            particles.set_velocity(17, (0, 0, 1))
+        with self.assertRaisesRegex(breccia.InputError, "kind particles"):
+            breccia.Scene(SOLID).particles()
+
+
 class PageTest(unittest.TestCase):
     def test_example_of_the_page_runs_in_fifteen_lines(self):
         page = pathlib.Path(root, "doc/tutorials/python.md").read_text()
