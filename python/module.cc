@@ -2,6 +2,8 @@
 #include "apps/process/mpi_session.h"
 #include "apps/process/version.h"
 #include "apps/scene/kinds/read_scene.h"
+#include "apps/scene/link_driver.h"
+#include "apps/scene/link_law_named.h"
 #include "base/errors.h"
 #include "dem/specimen/observation.h"
 #include "postprocess/files/errors.h"
@@ -107,6 +109,30 @@ namespace
     columns["volume"]           = array_of(found.volume);
     return columns;
   }
+  /** Columns of what a link answers along a path of named columns: (name, unit, values); and why it broke off, "" if it did not. */
+  py::tuple link_test(const std::string                                &law_name,
+                      const std::vector<std::string>                   &constants,
+                      const std::map<std::string, std::vector<double>> &path,
+                      const dem::LinkPair                              &pair)
+  {
+    const dem::LinkLawKind &law = apps::link_law_named(law_name);
+    postprocess::CsvTable   table;
+    table.origin = "path";
+    for (const auto &[name, values] : path)
+      {
+        if (values.empty() || values.size() != path.begin()->second.size())
+          throw base::InputError("path: column \"" + name + "\" has " + std::to_string(values.size()) +
+                                 " values: all columns must have as many, at least one.");
+        table.names.push_back(name);
+        table.units.emplace_back();
+        table.columns.push_back(values);
+      }
+    const dem::LinkHistory answer = apps::drive_link(law, *apps::constants_of(law, constants), pair, table);
+    py::list               columns;
+    for (const auto &column : answer.columns)
+      columns.append(py::make_tuple(column.name, column.unit, array_of(column.values)));
+    return py::make_tuple(columns, answer.broke_off);
+  }
 } // namespace
 
 PYBIND11_MODULE(_breccia, m)
@@ -131,6 +157,11 @@ PYBIND11_MODULE(_breccia, m)
     .def("series", &series_of)
     .def("particles", &particles_of);
 
+  m.def("link_test", [](const std::string &law, const std::vector<std::string> &constants,
+                        const std::map<std::string, std::vector<double>> &path, const int dimension,
+                        const double thickness, const double radius_1, const double radius_2, const double gap) {
+    return link_test(law, constants, path, {dimension, thickness, radius_1, radius_2, gap});
+  });
   m.def("entries", &entries_of);
   m.def("forecast", &forecast);
   m.def("run", [](const std::string &file, const std::vector<std::string> &changes, const std::string &folder,

@@ -13,7 +13,7 @@ from . import _breccia  # noqa: E402
 from ._breccia import InputError, NumericalError, OutputError  # noqa: E402
 
 __version__ = _breccia.version
-__all__ = ["Scene", "Particles", "Result", "Figure", "InputError", "NumericalError", "OutputError"]
+__all__ = ["Scene", "Particles", "Result", "Figure", "InputError", "NumericalError", "OutputError", "link_test"]
 
 
 class Figure(NamedTuple):
@@ -266,3 +266,25 @@ class Result:
             raise IndexError(f"sample {sample}: a result keeps the particles of the end alone, -1")
         columns = self._found.particles()
         return None if columns is None else SimpleNamespace(**columns)
+
+
+def link_test(law, constants, path, dimension=3, thickness=1.0, radius_1=1e-3, radius_2=1e-3, gap=0.0):
+    """Drive one link along a path, as `breccia link-test` does, which lists the columns.
+
+    law: its name. constants: a dictionary by the names that scenes have, {"Normal modulus": 25e9}. path: a dictionary of arrays or a
+    frame, one value a step: normal_strain and shear strains, or displacements and forces of two particles of the radii and the gap given
+    [m]; discs of a thickness [m] in two dimensions. Returns a pandas frame with attrs["units"]. Raises InputError, and NumericalError
+    where the link can no longer follow.
+    """
+    import pandas
+
+    words = [f"{name}={_as_text(value)}" for name, value in constants.items()]
+    columns = {name: [float(value) for value in path[name]] for name in path}
+    if dimension not in (2, 3) or not min(thickness, radius_1, radius_2) > 0:
+        raise InputError("link_test: dimension must be 2 or 3, thickness and radii above 0.")
+    answer, broke_off = _breccia.link_test(law, words, columns, dimension, thickness, radius_1, radius_2, gap)
+    if broke_off:
+        raise NumericalError(broke_off)
+    frame = pandas.DataFrame({name: values for name, _, values in answer})
+    frame.attrs["units"] = {name: unit for name, unit, _ in answer}
+    return frame

@@ -262,6 +262,45 @@ class ParticlesTest(unittest.TestCase):
             breccia.Scene(SOLID).particles()
 
 
+class LinkTest(unittest.TestCase):
+    constants = {
+        "Normal modulus": 25e9,
+        "Shear ratio": 0.2,
+        "Limit elastic strain": 1e-4,
+        "Relative ductility": 30,
+        "Cohesion": 3e6,
+        "Friction coefficient": 0.8,
+    }
+
+    def test_answers_are_those_of_the_program_to_the_bit(self):
+        path = {"normal_strain": numpy.linspace(0, 2e-3, 41), "shear_strain_1": numpy.linspace(0, 1e-4, 41)}
+        found = breccia.link_test("CPM", self.constants, path)
+        with tempfile.TemporaryDirectory() as folder:
+            table, answer = os.path.join(folder, "path.csv"), os.path.join(folder, "answer.csv")
+            with open(table, "w") as text:
+                text.write(",".join(path) + "\n")
+                text.writelines(",".join(map(repr, row)) + "\n" for row in zip(*(c.tolist() for c in path.values())))
+            words = [word for name, value in self.constants.items() for word in ("-s", f"{name}={value!r}")]
+            subprocess.run([program, "link-test", "--law", "CPM", *words, "--path", table, "-o", answer], check=True)
+            with open(answer) as text:
+                rows = list(csv.reader(text))
+        self.assertEqual(len(found.columns), len(rows[0]))
+        for c, name in enumerate(found.columns):
+            unit = found.attrs["units"][name]
+            self.assertEqual(rows[0][c], f"{name} [{unit}]" if unit else name)
+            self.assertEqual(found[name].tolist(), [float(row[c]) for row in rows[1:]])
+
+    def test_mistakes_are_refused(self):
+        with self.assertRaisesRegex(breccia.InputError, "CPM"):
+            breccia.link_test("CPN", self.constants, {"normal_strain": [0.0]})
+        with self.assertRaisesRegex(breccia.InputError, "Normal modulus"):
+            breccia.link_test("CPM", {**self.constants, "Normal modulus": -1}, {"normal_strain": [0.0]})
+        with self.assertRaisesRegex(breccia.InputError, "normal_strain"):
+            breccia.link_test("CPM", self.constants, {"normal_strian": [0.0]})
+        with self.assertRaisesRegex(breccia.InputError, "as many"):
+            breccia.link_test("CPM", self.constants, {"normal_strain": [0.0], "shear_strain_1": [0.0, 1.0]})
+
+
 class PageTest(unittest.TestCase):
     def test_example_of_the_page_runs_in_fifteen_lines(self):
         page = pathlib.Path(root, "doc/tutorials/python.md").read_text()
