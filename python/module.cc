@@ -1,14 +1,18 @@
 // What Python sees of the libraries; breccia/__init__.py makes dictionaries and tables of it.
 #include "apps/process/mpi_session.h"
 #include "apps/process/version.h"
+#include "apps/runs/homogenisation/report.h"
 #include "apps/scene/kinds/read_scene.h"
 #include "apps/scene/link_driver.h"
 #include "apps/scene/link_law_named.h"
 #include "base/errors.h"
 #include "dem/specimen/observation.h"
 #include "postprocess/files/errors.h"
+#include "postprocess/packings/packing_io.h"
 #include "python/moving_particles.h"
 #include "python/run_of_scene.h"
+
+#include <nlohmann/json.hpp>
 
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
@@ -133,6 +137,23 @@ namespace
       columns.append(py::make_tuple(column.name, column.unit, array_of(column.values)));
     return py::make_tuple(columns, answer.broke_off);
   }
+
+  /** The stiffness of a periodic packing, as text of JSON. @param law of the links; "": moduli instead */
+  std::string homogenise(const std::string              &file,
+                         const std::string              &law,
+                         const std::vector<std::string> &constants,
+                         const dem::NetworkParameters   &links)
+  {
+    apps::HomogenisationQuestion question;
+    question.links = links;
+    if (!law.empty())
+      {
+        const dem::LinkLawKind &kind = apps::link_law_named(law);
+        question.materials           = kind.materials({{"", apps::constants_of(kind, constants).get(), 0}});
+      }
+    const py::gil_scoped_release letting_go;
+    return apps::json_of(apps::homogenise(postprocess::read_packing(file), question, file)).dump();
+  }
 } // namespace
 
 PYBIND11_MODULE(_breccia, m)
@@ -161,6 +182,17 @@ PYBIND11_MODULE(_breccia, m)
                         const std::map<std::string, std::vector<double>> &path, const int dimension,
                         const double thickness, const double radius_1, const double radius_2, const double gap) {
     return link_test(law, constants, path, {dimension, thickness, radius_1, radius_2, gap});
+  });
+  m.def("homogenise", [](const std::string &file, const std::string &law, const std::vector<std::string> &constants,
+                         const double interaction_ratio, const double normal_modulus, const double shear_ratio,
+                         const double thickness) {
+    dem::NetworkParameters links;
+    links.dimension         = thickness > 0 ? 2 : 3;
+    links.thickness         = thickness;
+    links.interaction_ratio = interaction_ratio;
+    links.normal_modulus    = normal_modulus;
+    links.shear_ratio       = shear_ratio;
+    return homogenise(file, law, constants, links);
   });
   m.def("entries", &entries_of);
   m.def("forecast", &forecast);

@@ -13,7 +13,7 @@ from . import _breccia  # noqa: E402
 from ._breccia import InputError, NumericalError, OutputError  # noqa: E402
 
 __version__ = _breccia.version
-__all__ = ["Scene", "Particles", "Result", "Figure", "InputError", "NumericalError", "OutputError", "link_test"]
+__all__ = ["Scene", "Particles", "Result", "Figure", "InputError", "NumericalError", "OutputError", "link_test", "homogenise"]
 
 
 class Figure(NamedTuple):
@@ -288,3 +288,24 @@ def link_test(law, constants, path, dimension=3, thickness=1.0, radius_1=1e-3, r
     frame = pandas.DataFrame({name: values for name, _, values in answer})
     frame.attrs["units"] = {name: unit for name, unit, _ in answer}
     return frame
+
+
+def homogenise(packing, interaction_ratio, normal_modulus=0.0, shear_ratio=0.0, law="", constants=None, thickness=0.0):
+    """Macroscopic stiffness of a periodic packing (a file), as `breccia homogenise` finds it.
+
+    Links reach up to interaction_ratio (>= 1) times the sum of radii. They obey either normal_modulus [Pa] and shear_ratio [-], or a law by
+    its name with a dictionary of constants. thickness [m]: of a packing of discs. Returns a dictionary like homogenised.json: of
+    "statistics", "affine" and "relaxed" (the answer) each "E" [Pa], "nu" [-] and "stiffness", an array (6, 6) [Pa] with engineering shears
+    in the order xx yy zz yz zx xy. Raises InputError, NumericalError.
+    """
+    if bool(law) == bool(normal_modulus > 0 and shear_ratio > 0) or interaction_ratio < 1:
+        raise InputError("homogenise: give normal_modulus and shear_ratio above 0, or a law; interaction_ratio from 1 on.")
+    import numpy
+
+    words = [f"{name}={_as_text(value)}" for name, value in (constants or {}).items()]
+    found = json.loads(
+        _breccia.homogenise(os.fspath(packing), law, words, interaction_ratio, normal_modulus, shear_ratio, thickness)
+    )
+    for way in ("statistics", "affine", "relaxed"):
+        found[way]["stiffness"] = numpy.array(found[way]["stiffness"])
+    return found

@@ -301,6 +301,27 @@ class LinkTest(unittest.TestCase):
             breccia.link_test("CPM", self.constants, {"normal_strain": [0.0], "shear_strain_1": [0.0, 1.0]})
 
 
+class HomogeniseTest(unittest.TestCase):
+    def test_stiffness_is_that_of_the_program_to_the_bit(self):
+        with tempfile.TemporaryDirectory() as folder:
+            packing = os.path.join(folder, "cell.h5")
+            subprocess.run([program, "pack", "--count", "300", "--radius", "1e-3", "-o", packing], check=True, capture_output=True)
+            words = ["--interaction-ratio", "1.5", "--normal-modulus", "25e9", "--shear-ratio", "0.2"]
+            out = os.path.join(folder, "out")
+            subprocess.run([program, "homogenise", packing, *words, "-o", out], check=True, capture_output=True)
+            with open(os.path.join(out, "homogenised.json")) as text:
+                expected = json.load(text)
+            found = breccia.homogenise(packing, 1.5, 25e9, 0.2)
+            for way in ("statistics", "affine", "relaxed"):
+                self.assertEqual(found[way]["E"], expected[way]["E"])
+                self.assertEqual(found[way]["stiffness"].tolist(), expected[way]["stiffness"])
+            self.assertLess(found["relaxed"]["E"], found["affine"]["E"])
+            with self.assertRaisesRegex(breccia.InputError, "or a law"):
+                breccia.homogenise(packing, 1.5)
+            with self.assertRaisesRegex(breccia.InputError, "none.h5"):
+                breccia.homogenise(os.path.join(folder, "none.h5"), 1.5, 25e9, 0.2)
+
+
 class PageTest(unittest.TestCase):
     def test_example_of_the_page_runs_in_fifteen_lines(self):
         page = pathlib.Path(root, "doc/tutorials/python.md").read_text()
