@@ -44,7 +44,7 @@ timed()
   printf '%5d s  %s\n' $((SECONDS - started)) "$*" >>"$TIMES"
   exit 0
 }
-if [[ $1 == test ]]; then
+if [[ $1 == test || $1 == python ]]; then # of the launcher
   exit 0
 elif [[ ${TAKES_LONG:-} == yes && $1 == bench ]]; then
   timed "$@" --help
