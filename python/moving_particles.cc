@@ -104,12 +104,15 @@ namespace python
     saved.clear();
     base::FlatStateWriter writer(saved);
     body->visit_state(writer);
+    held_then = held.size();
   }
 
   void MovingParticles::restore()
   {
     if (saved.empty())
       throw std::logic_error("no state has been saved.");
+    if (held.size() != held_then)
+      throw std::logic_error("the saved state knows nothing of groups that are held since.");
     base::FlatStateReader reader(saved);
     body->visit_state(reader);
   }

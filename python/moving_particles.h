@@ -39,7 +39,7 @@ namespace python
     void            set_velocity(std::size_t group, const Eigen::Vector3d &velocity, const Eigen::Vector3d &spin);
     Eigen::Vector3d reaction(std::size_t group) const;
 
-    /** Keep the present state, and go back to it as often as wanted. @throws std::logic_error without one */
+    /** Keep the present state, and go back to it as often as wanted. @throws std::logic_error without one, or once more is held */
     void save();
     void restore();
 
@@ -58,6 +58,7 @@ namespace python
     std::map<std::size_t, Push>          pushes;
     std::vector<std::size_t>             held; ///< numbers of the groups that hold() has made
     base::Column                         saved;
+    std::size_t                          held_then = 0; ///< groups when the state was kept
   };
 
   void bind_moving_particles(pybind11::module_ &module);

@@ -11,6 +11,8 @@ os.environ.setdefault("GOMP_SPINCOUNT", "1000")
 
 from . import _breccia  # noqa: E402
 from ._breccia import InputError, NumericalError, OutputError  # noqa: E402
+from .drivers import homogenise, link_test  # noqa: E402
+from .values import as_text, as_value  # noqa: E402
 
 __version__ = _breccia.version
 __all__ = ["Scene", "Particles", "Result", "Figure", "InputError", "NumericalError", "OutputError", "link_test", "homogenise"]
@@ -22,34 +24,6 @@ class Figure(NamedTuple):
     value: Optional[float]
     unit: str  # "-" of a pure number
     not_determined: str  # why there is no value; "" where there is one
-
-
-def _as_text(value):
-    if isinstance(value, bool):
-        return "true" if value else "false"
-    if isinstance(value, str):
-        return value
-    if isinstance(value, os.PathLike):
-        return os.fspath(value)
-    if hasattr(value, "__iter__"):
-        return ", ".join(_as_text(each) for each in value)
-    return repr(value.item() if hasattr(value, "item") else value)  # every bit of a number
-
-
-def _as_value(text, unit, kind):
-    if text == "":
-        return None
-    if unit:  # it may stand behind the number
-        text = text.removesuffix(f" {unit}")
-    if kind == "number":
-        return float(text)
-    if kind == "whole number":
-        return int(text)
-    if kind == "switch":
-        return text.lower() == "true"
-    if kind == "three numbers":
-        return tuple(float(each) for each in text.split(","))
-    return text
 
 
 class Scene(MutableMapping):
@@ -73,10 +47,10 @@ class Scene(MutableMapping):
 
     def __getitem__(self, path):
         value, unit, kind, _ = self._entries()[path]
-        return _as_value(value, unit, kind)
+        return as_value(value, unit, kind)
 
     def __setitem__(self, path, value):
-        self._changes[path] = _as_text(value)
+        self._changes[path] = as_text(value)
 
     def __delitem__(self, path):
         """Back to what the file says."""
@@ -266,46 +240,3 @@ class Result:
             raise IndexError(f"sample {sample}: a result keeps the particles of the end alone, -1")
         columns = self._found.particles()
         return None if columns is None else SimpleNamespace(**columns)
-
-
-def link_test(law, constants, path, dimension=3, thickness=1.0, radius_1=1e-3, radius_2=1e-3, gap=0.0):
-    """Drive one link along a path, as `breccia link-test` does, which lists the columns.
-
-    law: its name. constants: a dictionary by the names that scenes have, {"Normal modulus": 25e9}. path: a dictionary of arrays or a
-    frame, one value a step: normal_strain and shear strains, or displacements and forces of two particles of the radii and the gap given
-    [m]; discs of a thickness [m] in two dimensions. Returns a pandas frame with attrs["units"]. Raises InputError, and NumericalError
-    where the link can no longer follow.
-    """
-    import pandas
-
-    words = [f"{name}={_as_text(value)}" for name, value in constants.items()]
-    columns = {name: [float(value) for value in path[name]] for name in path}
-    if dimension not in (2, 3) or not min(thickness, radius_1, radius_2) > 0:
-        raise InputError("link_test: dimension must be 2 or 3, thickness and radii above 0.")
-    answer, broke_off = _breccia.link_test(law, words, columns, dimension, thickness, radius_1, radius_2, gap)
-    if broke_off:
-        raise NumericalError(broke_off)
-    frame = pandas.DataFrame({name: values for name, _, values in answer})
-    frame.attrs["units"] = {name: unit for name, unit, _ in answer}
-    return frame
-
-
-def homogenise(packing, interaction_ratio, normal_modulus=0.0, shear_ratio=0.0, law="", constants=None, thickness=0.0):
-    """Macroscopic stiffness of a periodic packing (a file), as `breccia homogenise` finds it.
-
-    Links reach up to interaction_ratio (>= 1) times the sum of radii. They obey either normal_modulus [Pa] and shear_ratio [-], or a law by
-    its name with a dictionary of constants. thickness [m]: of a packing of discs. Returns a dictionary like homogenised.json: of
-    "statistics", "affine" and "relaxed" (the answer) each "E" [Pa], "nu" [-] and "stiffness", an array (6, 6) [Pa] with engineering shears
-    in the order xx yy zz yz zx xy. Raises InputError, NumericalError.
-    """
-    if bool(law) == bool(normal_modulus > 0 and shear_ratio > 0) or interaction_ratio < 1:
-        raise InputError("homogenise: give normal_modulus and shear_ratio above 0, or a law; interaction_ratio from 1 on.")
-    import numpy
-
-    words = [f"{name}={_as_text(value)}" for name, value in (constants or {}).items()]
-    found = json.loads(
-        _breccia.homogenise(os.fspath(packing), law, words, interaction_ratio, normal_modulus, shear_ratio, thickness)
-    )
-    for way in ("statistics", "affine", "relaxed"):
-        found[way]["stiffness"] = numpy.array(found[way]["stiffness"])
-    return found

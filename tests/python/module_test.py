@@ -252,6 +252,9 @@ class ParticlesTest(unittest.TestCase):
         self.assertNotEqual(particles.position[ball, 2], once[ball, 2])
         particles.advance(1500)
         self.assertTrue(numpy.array_equal(particles.position, once))
+        particles.hold([1])
+        with self.assertRaisesRegex(RuntimeError, "held since"):
+            particles.restore()
         with self.assertRaises(IndexError):
             particles.add_force(2, (0, 0, 1))
         with self.assertRaises(IndexError):
