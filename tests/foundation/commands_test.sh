@@ -7,7 +7,7 @@
 # A block after the line <!-- takes long --> is looked at instead of run: `check` in place of `run`, `transfer` and `study`, `--help` in place of
 # what a benchmark does. After <!-- shortened by WORDS --> it is run, with these words added to each `run` and `calibrate` of it. `check` of a
 # shipped scene as it is, is left to "apps: Every scene that is shipped is valid and can be set up". `./breccia test` would run this test
-# again, and is passed over.
+# again, and `./breccia python` would build; both are passed over.
 set -euo pipefail
 
 root=$1 program=$2 scratch=$3
@@ -44,7 +44,7 @@ timed()
   printf '%5d s  %s\n' $((SECONDS - started)) "$*" >>"$TIMES"
   exit 0
 }
-if [[ $1 == test ]]; then
+if [[ $1 == test || $1 == python ]]; then # of the launcher
   exit 0
 elif [[ ${TAKES_LONG:-} == yes && $1 == bench ]]; then
   timed "$@" --help

@@ -1,4 +1,4 @@
-#include "apps/commands/link_law_named.h"
+#include "apps/scene/link_law_named.h"
 
 #include "apps/scene/law_block.h"
 #include "apps/scene/overrides.h"

@@ -1,0 +1,204 @@
+// What Python sees of the libraries; breccia/__init__.py makes dictionaries and tables of it.
+#include "apps/process/mpi_session.h"
+#include "apps/process/version.h"
+#include "apps/runs/homogenisation/report.h"
+#include "apps/scene/kinds/read_scene.h"
+#include "apps/scene/link_driver.h"
+#include "apps/scene/link_law_named.h"
+#include "base/errors.h"
+#include "dem/specimen/observation.h"
+#include "postprocess/files/errors.h"
+#include "postprocess/packings/packing_io.h"
+#include "python/moving_particles.h"
+#include "python/run_of_scene.h"
+
+#include <nlohmann/json.hpp>
+
+#include <pybind11/numpy.h>
+#include <pybind11/stl.h>
+
+namespace py = pybind11;
+
+namespace
+{
+  using Result = std::shared_ptr<apps::RunResult>;
+
+  /** Every entry of a section that counts: (path, value as text or None, unit, type, meaning). */
+  void add_entries(const apps::Section &section, py::list &entries)
+  {
+    if (!section.needed())
+      return;
+    for (const auto &entry : section.entries())
+      if (entry->needed())
+        entries.append(
+          py::make_tuple(section.path_of(entry->name), entry->value, entry->unit, entry->type, entry->meaning));
+    for (const auto &inner : section.sections())
+      add_entries(*inner, entries);
+  }
+
+  py::list entries_of(const std::string &file, const std::vector<std::string> &changes)
+  {
+    py::list                 entries;
+    const apps::CheckedScene scene = apps::read_scene(file, changes);
+    add_entries(*scene.root, entries);
+    return entries;
+  }
+
+  std::string forecast(const std::string &file, const std::vector<std::string> &changes)
+  {
+    const apps::CheckedScene     scene = apps::read_scene(file, changes);
+    const py::gil_scoped_release letting_go;
+    return scene.scene->forecast();
+  }
+
+  /** Columns of the series by name, each with its unit: (name, unit, numbers or words). Numbers are the result's own, which cannot be written to. */
+  py::list series_of(const Result &result)
+  {
+    py::list                     columns;
+    const postprocess::CsvTable &series = result->series;
+    const py::object             owner  = py::cast(result);
+    for (std::size_t c = 0; c < series.names.size(); ++c)
+      {
+        py::object values;
+        if (c < series.words.size() && !series.words[c].empty())
+          values = py::cast(series.words[c]);
+        else
+          {
+            py::array_t<double> numbers(static_cast<py::ssize_t>(series.columns[c].size()), series.columns[c].data(),
+                                        owner);
+            numbers.attr("flags").attr("writeable") = false;
+            values                                  = numbers;
+          }
+        columns.append(py::make_tuple(series.names[c], series.units[c], values));
+      }
+    return columns;
+  }
+
+  py::tuple figure_of(const Result &result, const std::string &path)
+  {
+    const apps::Figure figure = result->figure(path);
+    return py::make_tuple(figure.value, figure.unit, figure.not_determined);
+  }
+
+  template <typename Value>
+  py::array_t<Value> array_of(const std::vector<Value> &values)
+  {
+    return py::array_t<Value>(static_cast<py::ssize_t>(values.size()), values.data());
+  }
+
+  py::array_t<double> array_of(const std::vector<Eigen::Vector3d> &values)
+  {
+    py::array_t<double> array({static_cast<py::ssize_t>(values.size()), py::ssize_t{3}});
+    auto                numbers = array.mutable_unchecked<2>();
+    for (std::size_t i = 0; i < values.size(); ++i)
+      for (int d = 0; d < 3; ++d)
+        numbers(static_cast<py::ssize_t>(i), d) = values[i][d];
+    return array;
+  }
+
+  /** Columns of the particles at the end of a run, in the order of the packing; None where there are none. */
+  py::object particles_of(const Result &result)
+  {
+    if (!result->specimen)
+      return py::none();
+    const dem::ParticleOutput found = result->specimen->particles();
+    py::dict                  columns;
+    columns["position"]         = array_of(found.position);
+    columns["displacement"]     = array_of(found.displacement);
+    columns["velocity"]         = array_of(found.velocity);
+    columns["angular_velocity"] = array_of(found.angular_velocity);
+    columns["radius"]           = array_of(found.radius);
+    columns["damage"]           = array_of(found.damage);
+    columns["broken_links"]     = array_of(found.broken_links);
+    columns["volume"]           = array_of(found.volume);
+    return columns;
+  }
+  /** Columns of what a link answers along a path of named columns: (name, unit, values); and why it broke off, "" if it did not. */
+  py::tuple link_test(const std::string                                &law_name,
+                      const std::vector<std::string>                   &constants,
+                      const std::map<std::string, std::vector<double>> &path,
+                      const dem::LinkPair                              &pair)
+  {
+    const dem::LinkLawKind &law = apps::link_law_named(law_name);
+    postprocess::CsvTable   table;
+    table.origin = "path";
+    for (const auto &[name, values] : path)
+      {
+        if (values.empty() || values.size() != path.begin()->second.size())
+          throw base::InputError("path: column \"" + name + "\" has " + std::to_string(values.size()) +
+                                 " values: all columns must have as many, at least one.");
+        table.names.push_back(name);
+        table.units.emplace_back();
+        table.columns.push_back(values);
+      }
+    const dem::LinkHistory answer = apps::drive_link(law, *apps::constants_of(law, constants), pair, table);
+    py::list               columns;
+    for (const auto &column : answer.columns)
+      columns.append(py::make_tuple(column.name, column.unit, array_of(column.values)));
+    return py::make_tuple(columns, answer.broke_off);
+  }
+
+  /** The stiffness of a periodic packing, as text of JSON. @param law of the links; "": moduli instead */
+  std::string homogenise(const std::string              &file,
+                         const std::string              &law,
+                         const std::vector<std::string> &constants,
+                         const dem::NetworkParameters   &links)
+  {
+    apps::HomogenisationQuestion question;
+    question.links = links;
+    if (!law.empty())
+      {
+        const dem::LinkLawKind &kind = apps::link_law_named(law);
+        question.materials           = kind.materials({{"", apps::constants_of(kind, constants).get(), 0}});
+      }
+    const py::gil_scoped_release letting_go;
+    return apps::json_of(apps::homogenise(postprocess::read_packing(file), question, file)).dump();
+  }
+} // namespace
+
+PYBIND11_MODULE(_breccia, m)
+{
+  m.attr("version") = apps::version();
+  py::register_exception<base::InputError>(m, "InputError", PyExc_ValueError);
+  py::register_exception<base::NumericalError>(m, "NumericalError", PyExc_ArithmeticError);
+  py::register_exception<postprocess::OutputError>(m, "OutputError", PyExc_OSError);
+  // MPI, which solids start, must be over before the interpreter is.
+  py::module_::import("atexit").attr("register")(py::cpp_function(&apps::finish_mpi));
+
+  py::class_<apps::RunResult, Result>(m, "Result")
+    .def_property_readonly("complete", [](const Result &r) { return r->end == apps::RunResult::End::complete; })
+    .def_property_readonly("go_on", [](const Result &r) { return r->go_on; })
+    .def_property_readonly("words", [](const Result &r) { return r->words; })
+    .def_property_readonly("folder", [](const Result &r) { return r->folder.string(); })
+    .def_property_readonly("summary", [](const Result &r) { return r->summary.dump(); })
+    .def_property_readonly("warnings", [](const Result &r) { return r->warnings(); })
+    .def_property_readonly("balance_error", [](const Result &r) { return r->balance_error(); })
+    .def("figure_names", [](const Result &r) { return r->figures(); })
+    .def("figure", &figure_of)
+    .def("series", &series_of)
+    .def("particles", &particles_of);
+
+  m.def("link_test", [](const std::string &law, const std::vector<std::string> &constants,
+                        const std::map<std::string, std::vector<double>> &path, const int dimension,
+                        const double thickness, const double radius_1, const double radius_2, const double gap) {
+    return link_test(law, constants, path, {dimension, thickness, radius_1, radius_2, gap});
+  });
+  m.def("homogenise", [](const std::string &file, const std::string &law, const std::vector<std::string> &constants,
+                         const double interaction_ratio, const double normal_modulus, const double shear_ratio,
+                         const double thickness) {
+    dem::NetworkParameters links;
+    links.dimension         = thickness > 0 ? 2 : 3;
+    links.thickness         = thickness;
+    links.interaction_ratio = interaction_ratio;
+    links.normal_modulus    = normal_modulus;
+    links.shear_ratio       = shear_ratio;
+    return homogenise(file, law, constants, links);
+  });
+  m.def("entries", &entries_of);
+  m.def("forecast", &forecast);
+  m.def("run", [](const std::string &file, const std::vector<std::string> &changes, const std::string &folder,
+                  const bool resume, const py::object &on_sample) {
+    return python::run_scene(file, changes, {folder, resume, on_sample});
+  });
+  python::bind_moving_particles(m);
+}
