@@ -21,11 +21,13 @@ namespace apps
          "Particles run on the threads of one machine (--threads) and have no MPI; scenes of kind continuum run under "
          "mpirun."},
         {{"Python", "pybind", "bindings"},
-         "There is no Python interface: scenes are text files, changed by -s; results are CSV, JSON, HDF5 and VTK, "
-         "which Python reads."},
+         "Scenes are text files, changed by -s. From Python they are run by the module that \"./breccia python\" "
+         "builds "
+         "(doc/tutorials/python.md)."},
         {{"calibration", "calibrate", "optimisation", "optimization", "optimise", "optimize"},
          "Constants are sought by \"breccia calibrate\" (doc/tutorials/calibrate.md) and by \"breccia invert\"; "
          "doc/tutorials/constants.md says which constant moves which figure."},
+        {{"Mix"}, "A mix makes the specimen in scenes of kind uniaxial, quasi_static and cell."},
         {{"GPU", "CUDA"}, "Nothing runs on a graphics processor: particles run on threads (--threads)."},
         {{"Poisson ratio", "Poisson's ratio", "Poissons ratio"},
          "Links have no Poisson's ratio: that of a specimen follows from \"Shear ratio\" (CPM) or \"Stiffness ratio\" "

@@ -32,9 +32,13 @@ namespace apps
         {
           Section *next = section->open_section(name, assignment.place);
           if (!next)
-            throw base::InputError(assignment.place.text() + ": section \"" +
-                                   (section->path().empty() ? "" : section->path() + "/") + name + "\" is not known. " +
-                                   did_you_mean_or_known(name, section->section_names()));
+            {
+              const std::string answer = absent(name);
+              throw base::InputError(assignment.place.text() + ": section \"" +
+                                     (section->path().empty() ? "" : section->path() + "/") + name +
+                                     "\" is not known. " +
+                                     (answer.empty() ? did_you_mean_or_known(name, section->section_names()) : answer));
+            }
           section = next;
         }
       return *section;

@@ -1,6 +1,7 @@
 #include "tests/apps/program.h"
 #include "tests/apps/scenes.h"
 #include "tests/apps/scratch_folder.h"
+#include "tests/places.h"
 
 #include <catch2/catch.hpp>
 
@@ -170,6 +171,16 @@ TEST_CASE("Changes on the command line pass the same checks, with the command li
   CHECK_THAT(changed("Cohesion").err, Contains("-s \"Cohesion\": expected \"Section/Key=value\""));
   CHECK(changed("Material/CPM/Cohesion=-1").status == 2);
   CHECK(changed("Material/CPM/Cohesion=4e6").status == 0);
+}
+
+TEST_CASE("A mix where no kind takes one is refused with the kinds that do", "[apps][S14]")
+{
+  const ScratchFolder folder;
+  const std::string   scene   = places::sources() + "/apps/scenes/bouncing_sphere.prm";
+  const Outcome       outcome = run(folder.path(), {"check", scene, "-s", "Specimen/Mix/Increment=0"});
+  CHECK(outcome.status == 2);
+  CHECK_THAT(outcome.err,
+             Contains("section \"Specimen/Mix\" is not known") && Contains("kind uniaxial, quasi_static and cell"));
 }
 
 TEST_CASE("A scene in JSON is refused with its line as well", "[apps][S14]")
