@@ -113,6 +113,7 @@ namespace
     columns["volume"]           = array_of(found.volume);
     return columns;
   }
+
   /** Columns of what a link answers along a path of named columns: (name, unit, values); and why it broke off, "" if it did not. */
   py::tuple link_test(const std::string                                &law_name,
                       const std::vector<std::string>                   &constants,
