@@ -108,17 +108,17 @@ namespace apps
       /** n of value ~ factor^n, by least squares of the logarithms; NaN where a value is not known. */
       double exponent(const std::vector<double> &values) const
       {
-        const auto logarithms = [](std::vector<double> of) {
-          for (double &value : of)
+        const auto logarithms = [](std::vector<double> numbers) {
+          for (double &value : numbers)
             value = std::log(value);
-          return of;
+          return numbers;
         };
         return line_through(logarithms(factor), logarithms(values)).slope;
       }
 
-      static bool is_as(const std::optional<int> &published, const double exponent)
+      static bool is_as(const std::optional<int> &published, const double measured)
       {
-        const int sign = exponent > least_effect ? 1 : exponent < -least_effect ? -1 : 0;
+        const int sign = measured > least_effect ? 1 : measured < -least_effect ? -1 : 0;
         return !published || *published == sign;
       }
       bool as_published() const

@@ -45,9 +45,9 @@ namespace apps
       const dem::Packing          packing = model.packing(&cell);
       const ParticleMedia         media   = model.media(cell);
       Promotion                   promotion(model, packing, media);
-      const std::size_t           load = column_of(promotion.structure(), "reaction_load_z"),
-                        opening        = column_of(promotion.structure(), "opening");
-      const double start               = base::processor_seconds();
+      const std::size_t           reaction = column_of(promotion.structure(), "reaction_load_z"),
+                        opening            = column_of(promotion.structure(), "opening");
+      const double start                   = base::processor_seconds();
       BeamRow      row{variant.study, variant.value};
       while (!promotion.structure().way().finished())
         {
@@ -55,9 +55,9 @@ namespace apps
           do
             {
               const std::vector<double> values = promotion.structure().row().values;
-              if (std::fabs(values[load]) > row.peak)
+              if (std::fabs(values[reaction]) > row.peak)
                 {
-                  row.peak    = std::fabs(values[load]);
+                  row.peak    = std::fabs(values[reaction]);
                   row.opening = values[opening];
                 }
             }
