@@ -76,7 +76,7 @@ namespace apps
 
     int complain(const std::string &message, const int status)
     {
-      if (is_first_rank())
+      if (speaks_of_failure())
         fmt::print(stderr, "breccia: {}\n", message);
       return status;
     }

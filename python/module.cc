@@ -17,6 +17,9 @@
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 
+#include <algorithm>
+#include <cmath>
+
 namespace py = pybind11;
 
 namespace
@@ -128,6 +131,8 @@ namespace
         if (values.empty() || values.size() != path.begin()->second.size())
           throw base::InputError("path: column \"" + name + "\" has " + std::to_string(values.size()) +
                                  " values: all columns must have as many, at least one.");
+        if (!std::all_of(values.begin(), values.end(), [](const double value) { return std::isfinite(value); }))
+          throw base::InputError("path: column \"" + name + "\": expected finite numbers.");
         table.names.push_back(name);
         table.units.emplace_back();
         table.columns.push_back(values);

@@ -10,6 +10,7 @@
 #include <array>
 #include <csignal>
 #include <cstdlib>
+#include <ctime>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -108,8 +109,16 @@ namespace apps
 
   bool is_first_rank()
   {
-    return (session() ? static_cast<int>(dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD)) :
-                        number_in_environment({"OMPI_COMM_WORLD_RANK", "PMI_RANK"}, 0)) == 0;
+    return (session() ? static_cast<int>(dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD)) : launched_rank()) ==
+           0;
+  }
+
+  bool speaks_of_failure()
+  {
+    if (session() || launched_rank() == 0)
+      return is_first_rank();
+    constexpr timespec head_start{2, 0};
+    return ::nanosleep(&head_start, nullptr) == 0; // not if a signal has come: the launcher ends this one too
   }
 
   int rank_count() { return session() ? static_cast<int>(dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD)) : 1; }

@@ -19,6 +19,13 @@ namespace apps
   /** Whether this process speaks for all: it writes files and messages. True without MPI. */
   bool is_first_rank();
 
+  /**
+   * Whether this process is the one to say why it ends. Before start_mpi() what one process finds wrong all of them mostly
+   * do, and the launcher ends all when one has: the others give the first a head start of two seconds, and speak only if
+   * they are still there then, because it has found nothing.
+   */
+  bool speaks_of_failure();
+
   int rank_count();
 
   /**

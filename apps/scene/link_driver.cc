@@ -54,7 +54,7 @@ namespace apps
             throw base::InputError(table.origin + ": column \"" + table.names[c] +
                                    "\": strains and displacements do not go together in one path.");
           for (const double strain : table.columns[c])
-            if (strain < -1e3 || strain > 1e3)
+            if (!(std::fabs(strain) <= 1e3))
               throw base::InputError(table.origin + fmt::format(": a strain of {}: must be from -1e3 to 1e3.", strain));
         }
       dem::LinkPath path;

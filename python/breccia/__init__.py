@@ -219,8 +219,9 @@ class Result:
         """The series as a pandas frame; series.attrs["units"] has the units by the name of the column."""
         import pandas
 
-        frame = pandas.DataFrame(self.columns)
-        frame.attrs["units"] = {name: unit for name, unit, _ in self._found.series()}
+        found = self._found.series()
+        frame = pandas.DataFrame({name: values for name, _, values in found})
+        frame.attrs["units"] = {name: unit for name, unit, _ in found}
         return frame
 
     @property

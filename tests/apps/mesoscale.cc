@@ -2,8 +2,8 @@
 #include "apps/models/mix_materials.h"
 #include "apps/text/size_table.h"
 #include "base/errors.h"
-#include "dem/laws/cpm.h"
 #include "dem/model/materials.h"
+#include "tests/apps/mortar.h"
 #include "tests/apps/program.h"
 #include "tests/apps/scenes.h"
 #include "tests/apps/scratch_folder.h"
@@ -32,18 +32,6 @@ namespace
     mix.smallest     = 4.75e-3;
     mix.increment    = 12.8e-6;
     return mix;
-  }
-
-  dem::CpmParameters mortar()
-  {
-    dem::CpmParameters p;
-    p.normal_modulus       = 25e9;
-    p.shear_ratio          = 0.2;
-    p.limit_elastic_strain = 1e-4;
-    p.relative_ductility   = 30;
-    p.cohesion             = 3e6;
-    p.friction_coefficient = 0.8;
-    return p;
   }
 } // namespace
 
@@ -94,7 +82,7 @@ TEST_CASE("Mix: links between different aggregates are of the interface, within 
   mix.aggregates       = {2.5, 5, 1};
   mix.interface        = {0.5, 0.5, 0.1};
   apps::LinkLaw law_of_mortar;
-  law_of_mortar.choose(mortar());
+  law_of_mortar.choose(apps_tests::mortar());
   const std::size_t              numbers = 4;
   const dem::LinkMaterials       made    = apps::mix_materials(mix, law_of_mortar, numbers);
   const std::vector<std::string> classes = apps::classes_of_mix(numbers);

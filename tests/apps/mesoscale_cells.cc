@@ -1,9 +1,9 @@
 #include "apps/models/mix.h"
 #include "apps/runs/homogenisation/moduli.h"
 #include "apps/specimens/mixed_specimen.h"
-#include "dem/laws/cpm.h"
 #include "dem/packing/compaction.h"
 #include "tests/apps/interrupted_runs.h"
+#include "tests/apps/mortar.h"
 #include "tests/apps/program.h"
 #include "tests/apps/scenes.h"
 #include "tests/apps/scratch_folder.h"
@@ -56,20 +56,6 @@ namespace
 
   constexpr double stiffer = 10; ///< aggregate over mortar
 
-  apps::MaterialSection mortar()
-  {
-    dem::CpmParameters p;
-    p.normal_modulus       = 25e9;
-    p.shear_ratio          = 0.2;
-    p.limit_elastic_strain = 1e-4;
-    p.relative_ductility   = 30;
-    p.cohesion             = 3e6;
-    p.friction_coefficient = 0.8;
-    apps::MaterialSection material;
-    material.only.choose(p);
-    return material;
-  }
-
   /** Spheres of nearly 12 mm; a link from one phase to the other is half of each, in series. */
   apps::MixSection round_aggregates(const double content)
   {
@@ -95,10 +81,11 @@ namespace
   Composite composite_of(dem::Packing packing, const apps::MixSection &mix)
   {
     apps::SpecimenSection cell;
-    cell.body                            = apps::SpecimenSection::Body::cell;
-    cell.interaction_ratio               = 1.5;
-    const apps::MaterialSection material = mortar();
-    const apps::MixedSpecimen   mixed{cell, mix, material, 3};
+    cell.body              = apps::SpecimenSection::Body::cell;
+    cell.interaction_ratio = 1.5;
+    apps::MaterialSection material;
+    material.only.choose(mortar());
+    const apps::MixedSpecimen mixed{cell, mix, material, 3};
     mixed.check({});
     mixed.number(packing, "packing");
     apps::HomogenisationQuestion question;

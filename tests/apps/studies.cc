@@ -74,12 +74,18 @@ end
   }
 
   /** By three processes of mpirun; what it says goes to the file "said". @return 0 where it went well */
+  /** @param processes what mpirun starts, "-np 3" and the words of each */
+  int under_mpirun(const ScratchFolder &folder, const std::string &processes)
+  {
+    const std::string command = "cd " + folder.path().string() +
+                                " && export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 && " +
+                                places::mpirun() + " --oversubscribe " + processes + " > said 2>&1";
+    return std::system(command.c_str());
+  }
+
   int study_on_ranks(const ScratchFolder &folder, const std::string &options)
   {
-    const std::string command =
-      "cd " + folder.path().string() + " && export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 && " +
-      places::mpirun() + " --oversubscribe -np 3 " + places::program() + " study study.prm " + options + " > said 2>&1";
-    return std::system(command.c_str());
+    return under_mpirun(folder, "-np 3 " + places::program() + " study study.prm " + options);
   }
 } // namespace
 
@@ -317,6 +323,25 @@ TEST_CASE("under mpirun each process takes a part of a study, and its runs know 
   CHECK(content_of(folder / "ranks/table.csv") == content_of(folder / "alone/table.csv"));
   CHECK(study_on_ranks(folder, "-o ranks --part 1/2") != 0);
   CHECK_THAT(content_of(folder / "said"), Contains("no --part"));
+}
+
+TEST_CASE("under mpirun a reason to end is given once, and also where only another process than the first has it",
+          "[apps][mpi][slow]")
+{
+  if (places::skipped_without_mpirun())
+    return;
+  const ScratchFolder folder;
+  write_study(folder, study_of_stack());
+  const std::string one = "-np 1 " + places::program() + " study study.prm -o parts", reason = "no --part";
+  for (const std::string &processes : {one + " --part 1/2 : " + one + " --part 2/2", one + " : " + one + " --part 2/2"})
+    {
+      CHECK(under_mpirun(folder, processes) != 0);
+      const std::string said  = content_of(folder / "said");
+      const std::size_t place = said.find(reason);
+      INFO(said);
+      REQUIRE(place != std::string::npos);
+      CHECK(said.find(reason, place + 1) == std::string::npos);
+    }
 }
 
 TEST_CASE("a part of a study that begins afresh leaves what other parts have begun", "[apps]")

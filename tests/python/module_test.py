@@ -302,6 +302,8 @@ class LinkTest(unittest.TestCase):
             breccia.link_test("CPM", self.constants, {"normal_strian": [0.0]})
         with self.assertRaisesRegex(breccia.InputError, "as many"):
             breccia.link_test("CPM", self.constants, {"normal_strain": [0.0], "shear_strain_1": [0.0, 1.0]})
+        with self.assertRaisesRegex(breccia.InputError, "expected finite numbers"):
+            breccia.link_test("CPM", self.constants, {"normal_strain": [0.0, float("nan")]})
 
 
 class HomogeniseTest(unittest.TestCase):
