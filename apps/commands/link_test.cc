@@ -24,6 +24,7 @@ namespace apps
       std::string              law, path, output = "/dev/stdout";
       std::vector<std::string> constants;
       dem::LinkPair            pair;
+      double                   seconds = 0; ///< from row to row
     };
 
     const std::array<std::string, 3> path_columns = {"normal_strain", "shear_strain_1", "shear_strain_2"};
@@ -91,11 +92,13 @@ namespace apps
           fmt::format("{}: column \"{}\" is in [{}]: must be in [{}].", table.origin, name, given, unit));
     }
 
-    dem::LinkMotionPath motions_of(const postprocess::CsvTable &table, const dem::LinkPair &pair)
+    dem::LinkMotionPath
+    motions_of(const postprocess::CsvTable &table, const dem::LinkPair &pair, const double per_second)
     {
       const double        size = pair.radius_1 + pair.radius_2;
       dem::LinkMotionPath path;
-      path.rows = table.rows();
+      path.rows       = table.rows();
+      path.per_second = per_second;
       for (int c = 0; c < dem::LinkMotionPath::components; ++c)
         {
           const dem::LinkMotionName &name = dem::link_motion_names[c];
@@ -131,12 +134,13 @@ namespace apps
 
     int link_test(const LinkTestOptions &options)
     {
-      const dem::LinkLawKind     &law       = link_law_named(options.law);
-      const postprocess::CsvTable table     = read_path_table(options.path);
-      const auto                  constants = constants_of(law, options.constants);
-      const dem::LinkHistory      answer    = is_of_strains(table) ?
-                                                dem::drive(law, *constants, strains_of(table)) :
-                                                dem::drive(law, *constants, options.pair, motions_of(table, options.pair));
+      const dem::LinkLawKind     &law        = link_law_named(options.law);
+      const postprocess::CsvTable table      = read_path_table(options.path);
+      const auto                  constants  = constants_of(law, options.constants);
+      const double                per_second = options.seconds > 0 ? 1 / options.seconds : 0.0;
+      const dem::LinkHistory      answer =
+        is_of_strains(table) ? dem::drive(law, *constants, strains_of(table), per_second) :
+                                    dem::drive(law, *constants, options.pair, motions_of(table, options.pair, per_second));
       if (!answer.columns.empty())
         postprocess::write_text(options.output, postprocess::csv_text(table_of(answer)));
       if (!answer.broke_off.empty())
@@ -177,6 +181,10 @@ namespace apps
     command.add_option("--radius-2", pair.radius_2, "Of the second particle [m]; default 1e-3")->check(positive);
     command.add_option("--gap", pair.gap, "Between their surfaces when the link is made [m]; default 0")
       ->check(CLI::Range(-1e100, 1e100));
+    command
+      .add_option("--row-time", options->seconds,
+                  "From row to row [s], for laws that depend on the rate; default: no time passes, as for slow paths")
+      ->check(positive);
     command.add_option("-o,--output", options->output, "Answer, CSV; default: the terminal")->type_name("FILE");
     command.callback([options, &chosen] { chosen = [options] { return link_test(*options); }; });
   }
