@@ -2,7 +2,7 @@
 
 #include "base/errors.h"
 #include "dem/kernels/first_order_shear.h"
-#include "dem/laws/cpm_extended_links.h"
+#include "dem/laws/cpm_extended_contact.h"
 #include "dem/laws/cpm_links.h"
 #include "dem/laws/requirements.h"
 

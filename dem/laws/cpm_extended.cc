@@ -1,4 +1,4 @@
-#include "dem/laws/cpm_extended_links.h"
+#include "dem/laws/cpm_extended_contact.h"
 #include "dem/laws/requirements.h"
 
 namespace dem

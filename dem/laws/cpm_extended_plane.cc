@@ -1,6 +1,6 @@
 // Passes of the cohesive particle model with options, in the plane.
 #include "dem/kernels/link_update.h"
-#include "dem/laws/cpm_extended_links.h"
+#include "dem/laws/cpm_extended_contact.h"
 
 namespace dem
 {

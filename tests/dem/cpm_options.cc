@@ -240,6 +240,57 @@ TEST_CASE("CPM with all options off gives the bits of the plain law", "[dem][law
   CHECK(slid > 1000);
 }
 
+TEST_CASE("CPM options: eight links side by side have the bits of each of them alone", "[dem][laws]")
+{
+  CpmParameters p                    = plain();
+  p.shear_contribution               = 0.3;
+  p.options.compression_yield_strain = -2e-4;
+  p.options.strength_surface         = StrengthSurface::logarithmic;
+  p.options.damage_time = p.options.plastic_time = 1e-2;
+  p.options.prestress                            = -1e6;
+  const CpmExtendedConstants k(p);
+  dem::UniformRandom         random(8);
+  int                        different = 0;
+  for (int trial = 0; trial < 2000; ++trial)
+    {
+      alignas(64) double in[7][8], out[8][8]; // strain, shear squared, kappa, plastic strain, elastic shear
+      State              alone[8];
+      for (int lane = 0; lane < 8; ++lane)
+        {
+          for (int row = 0; row < 7; ++row)
+            in[row][lane] = 2e-3 * (random() - 0.5);
+          in[1][lane] *= in[1][lane];
+          in[2][lane] = std::fabs(in[2][lane]);
+          in[3][lane] = -0.1 * std::fabs(in[3][lane]);
+          alone[lane] = {
+            {in[2][lane], k.damage_at(in[2][lane]), {{in[4][lane], in[5][lane], in[6][lane]}}}, in[3][lane], 0};
+        }
+      using dem::load;
+      dem::CpmExtendedState<dem::Pack, 3> pack;
+      pack.kappa              = load(in[2]);
+      pack.damage             = dem::pack_of([&](const int lane) { return alone[lane].damage; });
+      pack.elastic_shear      = {{load(in[4]), load(in[5]), load(in[6])}};
+      pack.plastic_strain     = load(in[3]);
+      pack.damage_strain      = dem::Pack(0.0);
+      const auto      r       = Bond::update(k, load(in[0]), load(in[1]), dem::Pack(1e6), pack);
+      const dem::Pack found[] = {r.normal_stress, r.shear_stress[0],  r.overstress_share,  pack.kappa,
+                                 pack.damage,     pack.damage_strain, pack.plastic_strain, pack.elastic_shear[2]};
+      for (int row = 0; row < 8; ++row)
+        dem::store(found[row], out[row]);
+      for (int lane = 0; lane < 8; ++lane)
+        {
+          State       &own        = alone[lane];
+          const auto   single     = Bond::update(k, in[0][lane], in[1][lane], 1e6, own);
+          const double expected[] = {
+            single.normal_stress, single.shear_stress[0], single.overstress_share, own.kappa,
+            own.damage,           own.damage_strain,      own.plastic_strain,      own.elastic_shear[2]};
+          for (int row = 0; row < 8; ++row)
+            different += out[row][lane] != expected[row];
+        }
+    }
+  CHECK(different == 0);
+}
+
 TEST_CASE("CPM options refuse what has no meaning, by entry", "[dem][laws]")
 {
   const auto refusal = [](const std::function<void(CpmParameters &)> &change) {
