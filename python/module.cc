@@ -121,7 +121,8 @@ namespace
   py::tuple link_test(const std::string                                &law_name,
                       const std::vector<std::string>                   &constants,
                       const std::map<std::string, std::vector<double>> &path,
-                      const dem::LinkPair                              &pair)
+                      const dem::LinkPair                              &pair,
+                      const double                                      row_time)
   {
     const dem::LinkLawKind &law = apps::link_law_named(law_name);
     postprocess::CsvTable   table;
@@ -137,7 +138,7 @@ namespace
         table.units.emplace_back();
         table.columns.push_back(values);
       }
-    const dem::LinkHistory answer = apps::drive_link(law, *apps::constants_of(law, constants), pair, table);
+    const dem::LinkHistory answer = apps::drive_link(law, *apps::constants_of(law, constants), pair, table, row_time);
     py::list               columns;
     for (const auto &column : answer.columns)
       columns.append(py::make_tuple(column.name, column.unit, array_of(column.values)));
@@ -184,11 +185,12 @@ PYBIND11_MODULE(_breccia, m)
     .def("series", &series_of)
     .def("particles", &particles_of);
 
-  m.def("link_test", [](const std::string &law, const std::vector<std::string> &constants,
-                        const std::map<std::string, std::vector<double>> &path, const int dimension,
-                        const double thickness, const double radius_1, const double radius_2, const double gap) {
-    return link_test(law, constants, path, {dimension, thickness, radius_1, radius_2, gap});
-  });
+  m.def("link_test",
+        [](const std::string &law, const std::vector<std::string> &constants,
+           const std::map<std::string, std::vector<double>> &path, const int dimension, const double thickness,
+           const double radius_1, const double radius_2, const double gap, const double row_time) {
+          return link_test(law, constants, path, {dimension, thickness, radius_1, radius_2, gap}, row_time);
+        });
   m.def("homogenise", [](const std::string &file, const std::string &law, const std::vector<std::string> &constants,
                          const double interaction_ratio, const double normal_modulus, const double shear_ratio,
                          const double thickness) {

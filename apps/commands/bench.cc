@@ -18,6 +18,7 @@ namespace apps
   void add_peridynamics_bench(CLI::App &bench, Action &chosen);
   void add_sequential_bench(CLI::App &bench, Action &chosen);
   void add_quasi_static_bench(CLI::App &bench, Action &chosen);
+  void add_rate_effect_bench(CLI::App &bench, Action &chosen);
   void add_structure_bench(CLI::App &bench, Action &chosen);
   void add_surface_bench(CLI::App &bench, Action &chosen);
   void add_volume_bench(CLI::App &bench, Action &chosen);
@@ -44,6 +45,7 @@ namespace apps
     add_peridynamics_bench(bench, chosen);
     add_sequential_bench(bench, chosen);
     add_quasi_static_bench(bench, chosen);
+    add_rate_effect_bench(bench, chosen);
     add_structure_bench(bench, chosen);
     add_surface_bench(bench, chosen);
     add_volume_bench(bench, chosen);

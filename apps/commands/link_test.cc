@@ -18,6 +18,7 @@ namespace apps
       std::string              law, path, output = "/dev/stdout";
       std::vector<std::string> constants;
       dem::LinkPair            pair;
+      double                   row_time = 0;
     };
 
     int link_test(const LinkTestOptions &options)
@@ -25,7 +26,7 @@ namespace apps
       const dem::LinkLawKind     &law       = link_law_named(options.law);
       const postprocess::CsvTable table     = postprocess::read_csv_table(options.path);
       const auto                  constants = constants_of(law, options.constants);
-      const dem::LinkHistory      answer    = drive_link(law, *constants, options.pair, table);
+      const dem::LinkHistory      answer    = drive_link(law, *constants, options.pair, table, options.row_time);
       if (!answer.columns.empty())
         postprocess::write_text(options.output, postprocess::csv_text(table_of(answer)));
       if (!answer.broke_off.empty())
@@ -66,6 +67,10 @@ namespace apps
     command.add_option("--radius-2", pair.radius_2, "Of the second particle [m]; default 1e-3")->check(positive);
     command.add_option("--gap", pair.gap, "Between their surfaces when the link is made [m]; default 0")
       ->check(CLI::Range(-1e100, 1e100));
+    command
+      .add_option("--row-time", options->row_time,
+                  "From row to row [s], for laws that depend on the rate; default: no time passes, as for slow paths")
+      ->check(positive);
     command.add_option("-o,--output", options->output, "Answer, CSV; default: the terminal")->type_name("FILE");
     command.callback([options, &chosen] { chosen = [options] { return link_test(*options); }; });
   }

@@ -16,21 +16,6 @@ namespace apps
       constants.at(contacts->name())->check();
   }
 
-  const dem::LinkLawKind *MaterialInterface::law_among(const std::list<NamedMaterial> &materials) const
-  {
-    if (law != nullptr)
-      return law;
-    const dem::LinkLawKind *found = nullptr;
-    for (const NamedMaterial &material : materials)
-      if (material.name == one || material.name == other)
-        {
-          if (found != nullptr && found != material.law.law)
-            return nullptr;
-          found = material.law.law;
-        }
-    return found;
-  }
-
   namespace
   {
     void check_material(const NamedMaterial &material, const base::EntryPath &section)
@@ -92,17 +77,7 @@ namespace apps
         for (const auto &[entry, name] : {std::pair{"Material", each.one}, std::pair{"Other material", each.other}})
           if (std::find(known.begin(), known.end(), name) == known.end())
             section.refuse(entry, "is not in section Materials. " + did_you_mean(name, known));
-        const dem::LinkLawKind *law = each.law_among(named);
-        if (law == nullptr)
-          section.refuse("Law", "the two materials have different ones: choose that of the links between them.");
-        try
-          {
-            each.constants.at(law->name())->check();
-          }
-        catch (const base::InputError &refusal)
-          {
-            section.refuse_within(refusal.what());
-          }
+        each.check(section, named);
       }
   }
 
@@ -151,8 +126,9 @@ namespace apps
 
   dem::LinkMaterials MaterialSection::by_law(const dem::LinkLawKind &kind) const
   {
-    std::vector<dem::NamedConstants> all;
-    std::vector<dem::PairConstants>  pairs;
+    std::vector<dem::NamedConstants>                 all;
+    std::vector<dem::PairConstants>                  pairs;
+    std::vector<std::shared_ptr<dem::LinkConstants>> between_them;
     for (const NamedMaterial &material : named)
       all.push_back({material.name, material.law.constants.at(kind.name()).get(), material.density});
     if (named.empty())
@@ -160,16 +136,20 @@ namespace apps
     for (std::int32_t one = 0; one < static_cast<std::int32_t>(named.size()); ++one)
       for (std::int32_t other = 0; other <= one; ++other)
         if (const MaterialInterface *own = between(one, other))
-          pairs.push_back({one, other, own->constants.at(kind.name()).get(), own->bonded});
+          {
+            between_them.push_back(own->constants_by(kind, named));
+            pairs.push_back({one, other, between_them.back().get(), own->bonded});
+          }
     return kind.materials(all, pairs);
   }
 
   dem::LinkMaterials MaterialSection::by_law(const dem::LinkLawKind                      &kind,
                                              const std::vector<const dem::LinkLawKind *> &of_pairs) const
   {
-    const dem::LinkConstants        *any = nullptr; // of this law
-    std::vector<dem::NamedConstants> all;
-    std::vector<dem::PairConstants>  pairs;
+    const dem::LinkConstants                        *any = nullptr; // of this law
+    std::vector<dem::NamedConstants>                 all;
+    std::vector<dem::PairConstants>                  pairs;
+    std::vector<std::shared_ptr<dem::LinkConstants>> between_them;
     for (const NamedMaterial &material : named)
       if (material.law.law == &kind)
         any = material.law.constants.at(kind.name()).get();
@@ -186,7 +166,10 @@ namespace apps
           if (of_pairs[static_cast<std::size_t>(dem::material_pair(one, other))] != &kind)
             pairs.push_back({one, other, any, true});
           else if (own != nullptr)
-            pairs.push_back({one, other, own->constants.at(kind.name()).get(), own->bonded});
+            {
+              between_them.push_back(own->constants_by(kind, named));
+              pairs.push_back({one, other, between_them.back().get(), own->bonded});
+            }
         }
     return kind.materials(all, pairs);
   }

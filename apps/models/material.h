@@ -1,5 +1,6 @@
 #pragma once
 
+#include "apps/models/material_interface.h"
 #include "apps/models/material_region.h"
 #include "base/entry_path.h"
 #include "dem/laws/registry.h"
@@ -44,18 +45,6 @@ namespace apps
     std::string name;
     LinkLaw     law;
     double      density = 0; ///< of its particles [kg/m^3]; 0: that of the specimen
-  };
-
-  /** Sub-section of "Interfaces": links between two materials with constants, perhaps a law, of their own. */
-  struct MaterialInterface
-  {
-    std::string             name, one, other; ///< of the section, and of the materials
-    const dem::LinkLawKind *law    = nullptr; ///< nullptr: that of the materials
-    bool                    bonded = true;
-    std::map<std::string, std::shared_ptr<dem::LinkConstants>> constants; ///< of every law, by its name
-
-    /** Law of its links; nullptr where none is chosen and the materials have different ones. */
-    const dem::LinkLawKind *law_among(const std::list<NamedMaterial> &materials) const;
   };
 
   /**

@@ -64,7 +64,7 @@ namespace apps
       look("Materials/" + material.name, material.law.chosen());
     for (const MaterialInterface &interface : materials.interfaces)
       if (const dem::LinkLawKind *law = interface.law_among(materials.named); law != nullptr && interface.bonded)
-        look("Interfaces/" + interface.name, *interface.constants.at(law->name()));
+        look("Interfaces/" + interface.name, *interface.constants_by(*law, materials.named));
     return found;
   }
 

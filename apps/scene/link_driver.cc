@@ -76,11 +76,13 @@ namespace apps
           fmt::format("{}: column \"{}\" is in [{}]: must be in [{}].", table.origin, name, given, unit));
     }
 
-    dem::LinkMotionPath motions_of(const postprocess::CsvTable &table, const dem::LinkPair &pair)
+    dem::LinkMotionPath
+    motions_of(const postprocess::CsvTable &table, const dem::LinkPair &pair, const double per_second)
     {
       const double        size = pair.radius_1 + pair.radius_2;
       dem::LinkMotionPath path;
-      path.rows = table.rows();
+      path.rows       = table.rows();
+      path.per_second = per_second;
       for (int c = 0; c < dem::LinkMotionPath::components; ++c)
         {
           const dem::LinkMotionName &name = dem::link_motion_names[c];
@@ -106,11 +108,13 @@ namespace apps
   dem::LinkHistory drive_link(const dem::LinkLawKind      &law,
                               const dem::LinkConstants    &constants,
                               const dem::LinkPair         &pair,
-                              const postprocess::CsvTable &path)
+                              const postprocess::CsvTable &path,
+                              const double                 row_time)
   {
     check_columns(path);
-    return is_of_strains(path) ? dem::drive(law, constants, strains_of(path)) :
-                                 dem::drive(law, constants, pair, motions_of(path, pair));
+    const double per_second = row_time > 0 ? 1 / row_time : 0.0;
+    return is_of_strains(path) ? dem::drive(law, constants, strains_of(path), per_second) :
+                                 dem::drive(law, constants, pair, motions_of(path, pair, per_second));
   }
 
   postprocess::CsvTable table_of(const dem::LinkHistory &history)

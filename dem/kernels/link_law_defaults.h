@@ -17,6 +17,12 @@ namespace dem
     static constexpr int  resting_shear =
       -1; ///< place of a shear vector that rests while acts() is false; -1: there is none
 
+    /** LinkLawTraits::rate_dependent, of one pair; of viscous laws. */
+    template <typename Constants>
+    static bool rate_dependent(const Constants &)
+    {
+      return false;
+    }
     /** Nothing is lost that the pass has not summed up. */
     template <typename Constants, typename S>
     static double damage_dissipation(const Constants &, const LinkGeometry &, const S &)

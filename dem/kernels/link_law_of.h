@@ -31,6 +31,7 @@ namespace dem
    *   name, bonds, moment, breaks_in_place, records                 constants
    *   waits, viscous, stiffens                                      constants, where they hold (LinkLawTraits)
    *   damping_ratio(constants)                                      of a viscous law
+   *   rate_dependent(constants)                                     of a viscous law, where its force does so without a dashpot
    *   resting_shear, acts(state, strain)                            place of a shear vector that stays zero while acts() is false,
    *                                                                 for laws with a moment: it is neither turned nor written then
    *   Constants, State<T, m>                                        types; State is a LinkState
@@ -228,7 +229,10 @@ namespace dem
       traits.stiffens        = Law::stiffens;
       if constexpr (Law::viscous)
         for (const Constants &k : of_pairs)
-          traits.damping_ratio.push_back(Law::damping_ratio(k));
+          {
+            traits.damping_ratio.push_back(Law::damping_ratio(k));
+            traits.rate_dependent = traits.rate_dependent || Law::rate_dependent(k);
+          }
       return traits;
     }
 

@@ -64,6 +64,6 @@ namespace dem
     T friction{0.0}; ///< dissipated by sliding
     T damage{0.0};   ///< dissipated by damage, where the state has no closed form for it
     T released{0.0}; ///< stored in bonds at the moment they broke
-    T viscous{0.0};  ///< dissipated by dashpots
+    T viscous{0.0};  ///< dissipated by dashpots and by overstress
   };
 } // namespace dem

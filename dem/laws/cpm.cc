@@ -2,6 +2,7 @@
 
 #include "base/errors.h"
 #include "dem/kernels/first_order_shear.h"
+#include "dem/laws/cpm_extended_contact.h"
 #include "dem/laws/cpm_links.h"
 #include "dem/laws/requirements.h"
 
@@ -124,14 +125,59 @@ namespace dem
       for (const CpmParameters &p : pairs)
         if (p.shear_contribution > 0)
           refuse("not with a Shear contribution.");
+        else if (p.options.any())
+          refuse(
+            "not with a Compression yield strain, a logarithmic Strength surface, a Damage time, a Plastic time or "
+            "a Prestress.");
+    }
+
+    /** The options are part of a law that damages and slides. */
+    bool extended(const std::vector<CpmParameters> &pairs, const Physics &physics, bool (CpmOptions::*has)() const)
+    {
+      if (!std::any_of(pairs.begin(), pairs.end(), [&](const CpmParameters &p) { return (p.options.*has)(); }))
+        return false;
+      if (!physics.damage || !physics.friction)
+        throw base::InputError(
+          "CPM: Compression yield strain, Strength surface = logarithmic, Damage time, Plastic time and Prestress are "
+          "not without Physics/Damage and Friction. Switch both on, or leave the options out.");
+      return true;
     }
 
     template <typename Variant>
     std::shared_ptr<const LinkLaw>
     law_of(const std::vector<CpmParameters> &pairs, const Physics &physics, const int vector_dimension)
     {
-      return std::make_shared<LinkLawOf<Variant>>(std::vector<CpmConstants>(pairs.begin(), pairs.end()),
+      return std::make_shared<LinkLawOf<Variant>>(std::vector<typename Variant::Constants>(pairs.begin(), pairs.end()),
                                                   vector_dimension, physics.rotations);
+    }
+  } // namespace
+
+  namespace
+  {
+    CpmOptions mean_of_options(const CpmMaterial &one, const CpmMaterial &other)
+    {
+      const CpmOptions &a = one.parameters.options, &b = other.parameters.options;
+      const auto        refuse = [&](const char *entry) {
+        throw base::InputError(std::string(entry) + ": material " + one.name + " and material " + other.name +
+                                      " differ in it, and links between them would have neither. Give both the same, or the "
+                                             "two an interface.");
+      };
+      if (a.strength_surface != b.strength_surface)
+        refuse("Strength surface");
+      if (a.damage_overstress != b.damage_overstress)
+        refuse("Damage overstress");
+      if ((a.compression_yield_strain < 0) != (b.compression_yield_strain < 0)) // 0 is no number between the others
+        refuse("Compression yield strain");
+      CpmOptions between               = a;
+      between.compression_yield_strain = mean(a.compression_yield_strain, b.compression_yield_strain);
+      between.compression_hardening    = mean(a.compression_hardening, b.compression_hardening);
+      between.logarithmic_speed        = mean(a.logarithmic_speed, b.logarithmic_speed);
+      between.damage_time              = mean(a.damage_time, b.damage_time);
+      between.damage_exponent          = mean(a.damage_exponent, b.damage_exponent);
+      between.plastic_time             = mean(a.plastic_time, b.plastic_time);
+      between.plastic_exponent         = mean(a.plastic_exponent, b.plastic_exponent);
+      between.prestress                = mean(a.prestress, b.prestress);
+      return between;
     }
   } // namespace
 
@@ -157,6 +203,7 @@ namespace dem
     between.shear_contribution      = mean(a.shear_contribution, b.shear_contribution);
     between.residual_strength_limit = mean(a.residual_strength_limit, b.residual_strength_limit);
     between.shear_kinematics        = a.shear_kinematics;
+    between.options                 = mean_of_options(one, other);
     return between;
   }
 
@@ -168,6 +215,8 @@ namespace dem
         check_first_order(pairs, physics);
         return law_of<FirstOrderShear<CpmBond<DamageDriver::normal, true>>>(pairs, physics, vector_dimension);
       }
+    if (extended(pairs, physics, &CpmOptions::any))
+      return law_of<CpmExtendedBond>(pairs, physics, vector_dimension);
     const bool shear_damages =
       std::any_of(pairs.begin(), pairs.end(), [](const CpmParameters &p) { return p.shear_contribution > 0; });
     const auto choose = [&](auto sliding) {
@@ -188,6 +237,8 @@ namespace dem
         check_first_order(pairs, physics);
         return law_of<FirstOrderShear<CpmContact<true>>>(pairs, physics, vector_dimension);
       }
+    if (extended(pairs, physics, &CpmOptions::any_of_contacts))
+      return law_of<CpmExtendedContact>(pairs, physics, vector_dimension);
     return physics.friction ? law_of<CpmContact<true>>(pairs, physics, vector_dimension) :
                               law_of<CpmContact<false>>(pairs, physics, vector_dimension);
   }

@@ -3,6 +3,7 @@
 #include "dem/core/exponential.h"
 #include "dem/core/simd.h"
 #include "dem/core/vector.h"
+#include "dem/laws/cpm_options.h"
 #include "dem/model/materials.h"
 
 #include <limits>
@@ -43,6 +44,7 @@ namespace dem
     double          shear_contribution      = 0;    ///< xi: weight of the shear strain in the equivalent strain
     double          residual_strength_limit = 1e-4; ///< a link in tension is deleted below this residual strength (3.5)
     ShearKinematics shear_kinematics        = ShearKinematics::exact;
+    CpmOptions      options                 = {};
 
     double shear_modulus() const { return shear_ratio * normal_modulus; }
     double softening_strain() const { return relative_ductility * limit_elastic_strain; }
@@ -146,7 +148,7 @@ namespace dem
                     T(0.0));
     }
 
-  private:
+    /** kappa and omega after an opening. @param total_shear_squared used only where shear damages */
     template <typename Constants, typename T, int m>
     BRECCIA_KERNEL static void
     grow_damage(const Constants &k, const T &opening, const T &total_shear_squared, CpmState<T, m> &state)
@@ -165,6 +167,7 @@ namespace dem
         }
     }
 
+  private:
     template <typename Constants, typename T, int m>
     BRECCIA_KERNEL static void slide(const Constants &k, CpmState<T, m> &state, CpmResponse<T, m> &response)
     {
@@ -206,7 +209,7 @@ namespace dem
 
     static CpmParameters mean_of(const CpmMaterial &one, const CpmMaterial &other) { return dem::mean_of(one, other); }
     /** @throws base::InputError naming the entry that is out of range */
-    static void check(const CpmParameters &parameters) { CpmConstants{parameters}; }
+    static void check(const CpmParameters &parameters);
     static std::shared_ptr<const LinkLaw>
     bonds(const std::vector<CpmParameters> &pairs, const Physics &physics, int vector_dimension);
     static std::shared_ptr<const LinkLaw>
@@ -244,6 +247,7 @@ namespace dem
         {{"exact", ShearKinematics::exact}, {"first-order", ShearKinematics::first_order}},
         "slip of a link: of the contact point, exact for any rotation; or by radii as arms and to first order, only "
         "to compare with programs that do so");
+      CpmOptions::describe(p.options, number, choice);
     }
   };
 } // namespace dem

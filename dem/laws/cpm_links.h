@@ -102,8 +102,9 @@ namespace dem
       return strength > 0 ? shear / strength : std::numeric_limits<double>::infinity();
     }
 
+    template <typename Constants_>
     static base::Matrix6
-    cpm_matrix(const CpmConstants &k, const Eigen::Vector3d &n, CpmUpdate update, const LinkTangent kind)
+    cpm_matrix(const Constants_ &k, const Eigen::Vector3d &n, CpmUpdate update, const LinkTangent kind)
     {
       update.grows              = kind.damages;
       update.slides             = kind.slides;

@@ -38,7 +38,7 @@ namespace dem
             member *= by.strength;
             strong = true;
           }
-        else if (name == "Limit elastic strain")
+        else if (name == "Limit elastic strain" || name == "Compression yield strain")
           member *= by.strength / by.stiffness;
         else if (name == "Relative ductility")
           {

@@ -44,8 +44,12 @@ namespace dem
     class HeldLink
     {
     public:
-      HeldLink(const LinkLawKind &kind, const LinkConstants &constants, const LinkPair &of)
+      HeldLink(const LinkLawKind   &kind,
+               const LinkConstants &constants,
+               const LinkPair      &of,
+               const double         rows_per_second)
         : pair(of)
+        , per_second(rows_per_second)
         , materials(kind.materials({{"", &constants, 0}}))
         , law(materials.bonds_in_space(physics_of(of)))
         , columns(law->columns())
@@ -87,6 +91,7 @@ namespace dem
       void commit()
       {
         friction += answer.friction;
+        viscous += answer.viscous;
         damage += answer.damage + answer.released;
         motion  = trial_motion;
         history = trial;
@@ -120,6 +125,8 @@ namespace dem
         row("dissipated_by_damage", "J",
             damage + (nothing ? 0.0 : law->damage_dissipation(0, geometry_at(motion), history.data())));
         row("dissipated_by_sliding", "J", friction);
+        if (viscous_at_start)
+          row("dissipated_by_rate", "J", viscous);
         row.end_row();
       }
 
@@ -165,6 +172,7 @@ namespace dem
       {
         LinkStep s;
         s.geometry          = geometry_at(to);
+        s.per_second        = per_second;
         s.strain_before     = geometry_at(motion).strain;
         s.shear_increment   = Eigen::Vector3d(0, to[1] - motion[1], to[2] - motion[2]) / s.geometry.reference;
         s.twist_increment   = to[3] - motion[3];
@@ -173,6 +181,7 @@ namespace dem
       }
 
       LinkPair                       pair;
+      double                         per_second;
       LinkMaterials                  materials;
       std::shared_ptr<const LinkLaw> law;
       std::vector<LinkQuantity>      columns; ///< of the bond
@@ -181,8 +190,8 @@ namespace dem
       LinkStep                       step;
       LinkAnswer                     answer;
       Vector6                        motion = Vector6::Zero(), trial_motion = Vector6::Zero();
-      bool                           gone = false, bonds_at_start = law->bonds();
-      double                         friction = 0, damage = 0;
+      bool                           gone = false, bonds_at_start = law->bonds(), viscous_at_start = law->viscous();
+      double                         friction = 0, damage = 0, viscous = 0;
     };
 
     /** Finds the motions of the components whose forces are held, by Newton's method from the committed state. */
@@ -341,7 +350,7 @@ namespace dem
   LinkHistory
   drive(const LinkLawKind &law, const LinkConstants &constants, const LinkPair &pair, const LinkMotionPath &path)
   {
-    HeldLink link(law, constants, pair);
+    HeldLink link(law, constants, pair, path.per_second);
     refuse_unknown(link.lawful(), pair, path);
     Holder       holder(link, pair, path);
     LinkRecorder recorder;

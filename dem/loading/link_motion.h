@@ -32,7 +32,8 @@ namespace dem
       bool                force = false;
     };
     std::array<Component, components> component;
-    std::size_t                       rows = 0;
+    std::size_t                       rows       = 0;
+    double                            per_second = 0; ///< as in drive() of a LinkPath
   };
 
   /** Names of a component's motion and of its force in files: "normal_displacement" [m], "normal_force" [N], .. */

@@ -16,7 +16,7 @@ namespace dem
     class DrivenLink
     {
     public:
-      explicit DrivenLink(std::shared_ptr<const LinkLaw> of)
+      DrivenLink(std::shared_ptr<const LinkLaw> of, const double per_second)
         : law(std::move(of))
         , columns(law->columns())
         , history(columns.size(), 0.0)
@@ -28,6 +28,7 @@ namespace dem
         law->begin(0, fresh, history.data());
         step.geometry.area = step.geometry.reference = 1;
         step.direction                               = {1, 0, 0};
+        step.per_second                              = per_second;
       }
 
       void advance(const double normal_strain, const std::array<double, 2> &shear_strain)
@@ -42,6 +43,7 @@ namespace dem
         const std::vector<double> before = history;
         answer                           = law->update(0, step, before.data(), history.data());
         friction += answer.friction;
+        viscous += answer.viscous;
         damage += answer.damage + answer.released;
         if (law->phase(0, step.geometry, history.data()) == LinkPhase::gone)
           delete_link();
@@ -63,6 +65,8 @@ namespace dem
         row("elastic_energy", "J/m^3", gone ? 0.0 : law->stored(0, step.geometry, history.data()));
         row("dissipated_by_damage", "J/m^3", damage + law->damage_dissipation(0, step.geometry, history.data()));
         row("dissipated_by_sliding", "J/m^3", friction);
+        if (law->viscous())
+          row("dissipated_by_rate", "J/m^3", viscous);
         row.end_row();
       }
 
@@ -103,14 +107,15 @@ namespace dem
       LinkAnswer                     answer;
       std::array<double, 2>          shear    = {};
       bool                           gone     = false;
-      double                         friction = 0, damage = 0;
+      double                         friction = 0, damage = 0, viscous = 0;
     };
 
   } // namespace
 
-  LinkHistory drive(const LinkLawKind &law, const LinkConstants &constants, const LinkPath &path)
+  LinkHistory
+  drive(const LinkLawKind &law, const LinkConstants &constants, const LinkPath &path, const double per_second)
   {
-    DrivenLink   link(law.materials({{"", &constants, 0}}).bonds_in_space(Physics()));
+    DrivenLink   link(law.materials({{"", &constants, 0}}).bonds_in_space(Physics()), per_second);
     LinkRecorder recorder;
     for (std::size_t row = 0; row < path.normal.size(); ++row)
       {

@@ -27,6 +27,10 @@ namespace dem
     std::string         broke_off; ///< why rows are missing at its end; "": none is
   };
 
-  /** Drive one link of the law along the path. */
-  LinkHistory drive(const LinkLawKind &law, const LinkConstants &constants, const LinkPath &path);
+  /**
+   * Drive one link of the law along the path.
+   * @param per_second one over the time from row to row [1/s]; 0: none passes, and nothing depends on the rate
+   */
+  LinkHistory
+  drive(const LinkLawKind &law, const LinkConstants &constants, const LinkPath &path, double per_second = 0);
 } // namespace dem

@@ -22,7 +22,7 @@ namespace dem
     double damage        = 0; ///< dissipated by link damage
     double friction      = 0; ///< dissipated by plastic sliding of links and contacts
     double released      = 0; ///< still stored in links and contacts when they were deleted
-    double damping       = 0; ///< dissipated by local damping, and by dashpots of contacts
+    double damping       = 0; ///< dissipated by local damping, by dashpots of contacts and by overstress of links
     double rounding =
       0; ///< no part of the balance: what a strain of 1e-11 would store in the bonds; without bonds, in touching particles
 

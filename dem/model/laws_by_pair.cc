@@ -36,6 +36,7 @@ namespace dem
       traits.bonds           = any(&LinkLaw::bonds);
       traits.waits           = std::all_of(laws.begin(), laws.end(), [](const auto &law) { return law->waits(); });
       traits.stiffens        = any(&LinkLaw::stiffens);
+      traits.rate_dependent  = any(&LinkLaw::rate_dependent);
       traits.kinds           = kinds;
       for (std::size_t pair = 0; pair < kinds.size(); ++pair)
         traits.damping_ratio.push_back(laws[static_cast<std::size_t>(kinds[pair])]->damping_ratio(pair));

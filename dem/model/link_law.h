@@ -129,7 +129,7 @@ namespace dem
   {
     Eigen::Vector3d force = {0, 0, 0}, moment = {0, 0, 0};  ///< [N], [N m], at the contact point
     double          friction = 0, damage = 0, released = 0; ///< dissipated and set free in the step [J]
-    double          viscous = 0;                            ///< dissipated by a dashpot in the step [J]
+    double          viscous = 0;                            ///< dissipated by a dashpot, or overstress, in the step [J]
     bool            slides  = false;
   };
 
@@ -155,6 +155,8 @@ namespace dem
     bool waits = false;
     /** Its stiffness grows with the overlap, so that the stable step shrinks in the course of a contact. */
     bool stiffens = false;
+    /** Its force depends on the rate at which it is strained, without a dashpot: no step is the shorter for it. */
+    bool rate_dependent = false;
     /** Of each pair, part of the critical damping that its dashpots have, zeta [-]; empty: there are none. */
     std::vector<double> damping_ratio;
     /** Where pairs of materials obey laws of different kinds, the number of each one's law; empty: all obey the same. */
@@ -182,6 +184,7 @@ namespace dem
     bool        waits() const { return traits.waits; }
     bool        stiffens() const { return traits.stiffens; }
     bool        viscous() const; ///< its force depends on the speed
+    bool        rate_dependent() const { return traits.rate_dependent; }
     double      damping_ratio(const std::size_t pair) const
     {
       return traits.damping_ratio.empty() ? 0.0 : traits.damping_ratio[pair];
@@ -262,7 +265,7 @@ namespace dem
 
   inline bool LinkLaw::viscous() const
   {
-    return std::any_of(traits.damping_ratio.begin(), traits.damping_ratio.end(),
-                       [](const double zeta) { return zeta > 0; });
+    return rate_dependent() || std::any_of(traits.damping_ratio.begin(), traits.damping_ratio.end(),
+                                           [](const double zeta) { return zeta > 0; });
   }
 } // namespace dem

@@ -114,7 +114,8 @@ namespace dem
     e.damage   = damage_dissipation(s.particles, s.bonds, *s.bond_law) + s.cracks.dissipated() + of_surfaces.damage;
     e.friction = plastic_dissipation(s.bonds) + plastic_dissipation(s.contacts) + of_surfaces.friction;
     e.released = s.book.released + released_in_place(s.bonds) + of_surfaces.released;
-    e.damping  = s.book.damped.at_forces() + viscous_dissipation(s.contacts) + of_surfaces.viscous;
+    e.damping =
+      s.book.damped.at_forces() + viscous_dissipation(s.bonds) + viscous_dissipation(s.contacts) + of_surfaces.viscous;
     e.rounding = s.book.rounding;
     return e;
   }

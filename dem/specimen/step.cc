@@ -34,7 +34,9 @@ namespace dem
 
   void SpecimenCore::find_link_forces()
   {
-    contacts.per_second = contact_law->viscous() && last_step > 0 ? 1 / last_step : 0.0;
+    const double per_second = last_step > 0 ? 1 / last_step : 0.0;
+    bonds.per_second        = bond_law->viscous() ? per_second : 0.0;
+    contacts.per_second     = contact_law->viscous() ? per_second : 0.0;
     bond_pass(bonds, particles, *bond_law, bonds.whole());
     if (contacts.alive > 0)
       contact_pass(contacts, particles, *contact_law, contacts.whole());

@@ -90,7 +90,7 @@ namespace dem
   double DamagingLinks::growth(const std::size_t i) const
   {
     const double before = reached(i);
-    return std::isinf(before) ? 0.0 : (law->damaging_strain(pair_of(i), row(trial, i)) - before) / before;
+    return std::isinf(before) ? 0.0 : (law->damaging_strain(pair_of(i), row(trial, i)) - before) / std::abs(before);
   }
 
   double DamagingLinks::exertion(const std::size_t i) const
@@ -117,8 +117,10 @@ namespace dem
         wanted.slides  = answer[i].slides;
         if (kind == LinkStiffness::onward)
           {
-            wanted.damages = wanted.damages || (grown[i] && trial_strain[i] >= (1 - on_the_envelope) * reached(i));
-            wanted.slides  = slid[i] != 0;
+            const double strain = reached(i); // below zero where a link has flowed in compression
+            const double nearly = (strain > 0 ? 1 - on_the_envelope : 1 + on_the_envelope) * strain;
+            wanted.damages      = wanted.damages || (grown[i] && trial_strain[i] >= nearly);
+            wanted.slides       = slid[i] != 0;
           }
         result[i] = law->tangent(pair_of(i), step_of(i), row(state, i), row(trial, i), wanted);
         result[i].topRows<3>() *= l.area;

@@ -8,21 +8,22 @@ from ._breccia import InputError, NumericalError
 from .values import as_text
 
 
-def link_test(law, constants, path, dimension=3, thickness=1.0, radius_1=1e-3, radius_2=1e-3, gap=0.0):
+def link_test(law, constants, path, dimension=3, thickness=1.0, radius_1=1e-3, radius_2=1e-3, gap=0.0, row_time=0.0):
     """Drive one link along a path, as `breccia link-test` does, which lists the columns.
 
     law: its name. constants: a dictionary by the names that scenes have, {"Normal modulus": 25e9}. path: a dictionary of arrays or a
     frame, one value a step: normal_strain and shear strains, or displacements and forces of two particles of the radii and the gap given
-    [m]; discs of a thickness [m] in two dimensions. Returns a pandas frame with attrs["units"]. Raises InputError, and NumericalError
+    [m]; discs of a thickness [m] in two dimensions. row_time: from value to value [s], for laws that depend on the rate; 0: no time passes,
+    as for slow paths. Returns a pandas frame with attrs["units"]. Raises InputError, and NumericalError
     where the link can no longer follow.
     """
     import pandas
 
     words = [f"{name}={as_text(value)}" for name, value in constants.items()]
     columns = {name: [float(value) for value in path[name]] for name in path}
-    if dimension not in (2, 3) or not min(thickness, radius_1, radius_2) > 0:
-        raise InputError("link_test: dimension must be 2 or 3, thickness and radii above 0.")
-    answer, broke_off = _breccia.link_test(law, words, columns, dimension, thickness, radius_1, radius_2, gap)
+    if dimension not in (2, 3) or not min(thickness, radius_1, radius_2) > 0 or not row_time >= 0:
+        raise InputError("link_test: dimension must be 2 or 3, thickness and radii above 0, row_time not below 0.")
+    answer, broke_off = _breccia.link_test(law, words, columns, dimension, thickness, radius_1, radius_2, gap, float(row_time))
     if broke_off:
         raise NumericalError(broke_off)
     frame = pandas.DataFrame({name: values for name, _, values in answer})

@@ -149,3 +149,36 @@ TEST_CASE("link-test drives every law there is, whatever the case of its name", 
   CHECK(bond.column("broken") == std::vector<double>{0, 0, 1});
   CHECK(bond.column("normal_stress")[2] == 0);
 }
+
+TEST_CASE("link-test drives the options of the CPM law, and with a time from row to row those that depend on the rate",
+          "[apps]")
+{
+  const ScratchFolder folder;
+  folder.file("press.csv", "normal_strain\n-6e-4\n-5e-4\n-2e-4\n");
+  const auto drive = [&](const std::string &path, std::vector<std::string> more) {
+    std::vector<std::string> arguments = {"link-test", "--law", "CPM", "--path", path, "-o", "out.csv"};
+    for (const char *constant : {"Normal modulus=30e9", "Shear ratio=0.5", "Limit elastic strain=1e-4",
+                                 "Relative ductility=5", "Cohesion=3.5e6", "Friction coefficient=0.8"})
+      arguments.insert(arguments.end(), {"-s", constant});
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const Outcome outcome = run(folder.path(), arguments);
+    INFO(outcome.err);
+    REQUIRE(outcome.status == 0);
+    return postprocess::read_csv_table(folder / "out.csv");
+  };
+  const auto pressed = drive("press.csv", {"-s", "Compression yield strain=-2e-4", "-s", "Compression hardening=0.5"});
+  CHECK(pressed.column("normal_stress")[0] == Approx(-12e6).epsilon(1e-12)); // doc/theory/cpm-options.md, 1
+  CHECK(pressed.column("plastic_strain")[0] == Approx(-2e-4).epsilon(1e-12));
+  CHECK(pressed.column("normal_stress")[1] == Approx(-9e6).epsilon(1e-11));
+  CHECK(pressed.column("dissipated_by_sliding")[2] == Approx(0.5 * 12e6 * 2e-4).epsilon(1e-9)); // of one large step
+
+  // One row from rest with M = 1: a e^beta = a/(1 + eps_0 tau/dt) with a = omega e.
+  folder.file("pull.csv", "normal_strain\n3e-4\n");
+  const auto slow  = drive("pull.csv", {"-s", "Damage time=100", "-s", "Damage rate exponent=1"});
+  const auto quick = drive("pull.csv", {"-s", "Damage time=100", "-s", "Damage rate exponent=1", "--row-time", "1e-2"});
+  const double omega = slow.column("damage")[0], gap = omega * 3e-4;
+  CHECK(slow.column("normal_stress")[0] == Approx(30e9 * (1 - omega) * 3e-4).epsilon(1e-12));
+  CHECK(quick.column("damage_strain")[0] == Approx(gap / (1 + 1e-4 * 100 / 1e-2)).epsilon(1e-12));
+  CHECK(quick.column("normal_stress")[0] == Approx(30e9 * (3e-4 - gap / 2)).epsilon(1e-12));
+  CHECK(quick.column("dissipated_by_rate")[0] > 0);
+}

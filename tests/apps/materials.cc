@@ -285,6 +285,59 @@ TEST_CASE("Materials of different laws need the law of the links between them, a
   CHECK(summary["energy"]["balance_error"].get<double>() < 1e-3);
 }
 
+TEST_CASE(
+  "Interfaces with factors have the constants of the first material times them, and the bits of those said outright",
+  "[apps][slow]")
+{
+  const auto zone = [](const std::string &more) {
+    return "subsection Interfaces\n  subsection zone\n    set Material = mortar\n    set Other material = aggregate\n" +
+           more + "  end\nend\n";
+  };
+  const auto factors = [](const std::string &stiffness, const std::string &strength, const std::string &ductility) {
+    return "    set Constants = factors\n    set Stiffness factor = " + stiffness +
+           "\n    set Strength factor  = " + strength + "\n" +
+           (ductility.empty() ? "" : "    set Ductility factor = " + ductility + "\n");
+  };
+  // Stransky (2018): "results 1" and "results 2" differ in the ductility alone.
+  const std::string both = materials(cpm(25e9), cpm(62.5e9)) + middle_layer;
+  for (const auto &[ductility, product] : {std::pair{"0.1", "3"}, std::pair{"0.05", "1.5"}})
+    {
+      std::string outright = cpm(12.5e9);
+      outright =
+        replaced(outright, "set Relative ductility   = 30", std::string("set Relative ductility   = ") + product);
+      outright = replaced(outright, "set Cohesion             = 3e6", "set Cohesion             = 1.5e6");
+      std::string figures[3];
+      int         n = 0;
+      for (const std::string &interface : {zone(factors("0.5", "0.5", ductility)), zone(outright), std::string()})
+        {
+          const ScratchFolder folder;
+          folder.file("packing.txt", stack_packing());
+          folder.file("x.prm", scene_of(both + interface));
+          const Outcome outcome = run(folder.path(), {"run", "x.prm", "-o", "results", "-s", "Loading/Tests=tension"});
+          INFO(outcome.err);
+          REQUIRE(outcome.status == 0);
+          figures[n++] = content_of(folder / "results/series.csv") + listing_of(folder / "results/tension_links");
+        }
+      CHECK(figures[0] == figures[1]);
+      CHECK(figures[0] != figures[2]); // of the means
+    }
+
+  const auto refused = [&](const std::string &sections) { return refusal(stack_packing(), scene_of(sections)); };
+  CHECK_THAT(refused(both + zone(factors("0.5", "-1", "0.1"))),
+             Contains("Interfaces/zone/Strength factor = -1: expected a number > 0"));
+  CHECK_THAT(refused(both + zone("    set Law = linear\n" + factors("0.5", "0.5", "0.1"))),
+             Contains("Interfaces/zone/Law") && Contains("it is that of mortar"));
+  const std::string bonds =
+    "    set Law = parallel-bond\n    subsection parallel-bond\n      set Effective modulus = 30e9\n"
+    "      set Tensile strength  = 2e6\n      set Cohesion          = 6e6\n      set Friction angle = 30\n    end\n";
+  CHECK_THAT(refused(materials(bonds, bonds) + middle_layer + zone(factors("0.5", "0.5", "0.1"))),
+             Contains("Interfaces/zone") && Contains("the law has no ductility to multiply"));
+  const ScratchFolder folder;
+  folder.file("packing.txt", stack_packing());
+  folder.file("x.prm", scene_of(materials(bonds, bonds) + middle_layer + zone(factors("0.5", "0.5", ""))));
+  CHECK(run(folder.path(), {"check", "x.prm"}).status == 0);
+}
+
 TEST_CASE("breccia pack keeps the materials of a packing, and homogenise refuses several", "[apps]")
 {
   const ScratchFolder folder;

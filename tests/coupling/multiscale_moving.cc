@@ -43,6 +43,7 @@ namespace
     of->allocate(1);
     fem::GatheredPoints::Site site;
     site.place = {1, 2, 3};
+    site.element.vertices.fill(Eigen::Vector3d::Zero());
     of->place({site}, {});
     return of;
   }

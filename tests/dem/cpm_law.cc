@@ -449,10 +449,24 @@ TEST_CASE("CPM block declares every parameter once, material constants without d
                                               {"Shear contribution", false},
                                               {"Residual strength limit", false},
                                               {"Damage law", false},
-                                              {"Shear kinematics", false}};
+                                              {"Shear kinematics", false},
+                                              {"Compression yield strain", false},
+                                              {"Compression hardening", false},
+                                              {"Strength surface", false},
+                                              {"Logarithmic speed", false},
+                                              {"Damage time", false},
+                                              {"Damage rate exponent", false},
+                                              {"Damage overstress", false},
+                                              {"Plastic time", false},
+                                              {"Plastic rate exponent", false},
+                                              {"Prestress", false}};
   CHECK(required == wanted);
   // Written in the order of the struct: each entry has its own member.
   CHECK(p.normal_modulus + p.shear_ratio + p.limit_elastic_strain + p.relative_ductility + p.cohesion +
           p.friction_coefficient + p.shear_contribution + p.residual_strength_limit ==
         36);
+  const dem::CpmOptions &o = p.options;
+  CHECK(o.compression_yield_strain + o.compression_hardening + o.logarithmic_speed + o.damage_time + o.damage_exponent +
+          o.plastic_time + o.plastic_exponent + o.prestress ==
+        100);
 }

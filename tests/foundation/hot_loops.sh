@@ -12,7 +12,7 @@ set -euo pipefail
 objdump=$1
 shift
 kernels='(link_update::update_block<|dem::.*particle_pass<|FrictionalAssembly::block_)'
-allowed='replace_large_rotations<|multiply_add_in_parts<|::damage_at<|advance_elements<|exact_rotation_coefficients|^(sin|cos|sincos|fma)(@|-|\+|$)|omp_get_|GOMP_|__kmpc_|^memset|__stack_chk_fail|update_block<'
+allowed='replace_large_rotations<|multiply_add_in_parts<|::damage_at<|advance_elements<|exact_rotation_coefficients|solve_rate_equation<|^(sin|cos|sincos|fma)(@|-|\+|$)|omp_get_|GOMP_|__kmpc_|^memset|__stack_chk_fail|update_block<'
 
 # A call of a function that is local to its object is told as a place in its section: four bytes before its first one.
 "$objdump" --disassemble --reloc --demangle --no-show-raw-insn "$@" | awk -v kernels="$kernels" -v allowed="$allowed" '

@@ -276,14 +276,23 @@ class LinkTest(unittest.TestCase):
     }
 
     def test_answers_are_those_of_the_program_to_the_bit(self):
+        self.compare_with_program(self.constants, 0)
+
+    def test_rows_in_time_are_those_of_the_program_to_the_bit(self):
+        lagging = {**self.constants, "Damage time": 100.0, "Damage rate exponent": 0.5}
+        slow, quick = self.compare_with_program(lagging, 0), self.compare_with_program(lagging, 1e-2)
+        self.assertGreater(quick["normal_stress"].max(), 1.05 * slow["normal_stress"].max())
+
+    def compare_with_program(self, constants, row_time):
         path = {"normal_strain": numpy.linspace(0, 2e-3, 41), "shear_strain_1": numpy.linspace(0, 1e-4, 41)}
-        found = breccia.link_test("CPM", self.constants, path)
+        found = breccia.link_test("CPM", constants, path, row_time=row_time)
         with tempfile.TemporaryDirectory() as folder:
             table, answer = os.path.join(folder, "path.csv"), os.path.join(folder, "answer.csv")
             with open(table, "w") as text:
                 text.write(",".join(path) + "\n")
                 text.writelines(",".join(map(repr, row)) + "\n" for row in zip(*(c.tolist() for c in path.values())))
-            words = [word for name, value in self.constants.items() for word in ("-s", f"{name}={value!r}")]
+            words = [word for name, value in constants.items() for word in ("-s", f"{name}={value!r}")]
+            words += ["--row-time", repr(row_time)] if row_time > 0 else []
             subprocess.run([program, "link-test", "--law", "CPM", *words, "--path", table, "-o", answer], check=True)
             with open(answer) as text:
                 rows = list(csv.reader(text))
@@ -292,6 +301,7 @@ class LinkTest(unittest.TestCase):
             unit = found.attrs["units"][name]
             self.assertEqual(rows[0][c], f"{name} [{unit}]" if unit else name)
             self.assertEqual(found[name].tolist(), [float(row[c]) for row in rows[1:]])
+        return found
 
     def test_mistakes_are_refused(self):
         with self.assertRaisesRegex(breccia.InputError, "CPM"):

@@ -43,6 +43,29 @@ namespace apps
       }
   }
 
+  namespace
+  {
+    void declare_interface_factors(Section &section, MaterialInterface &material_interface)
+    {
+      using Constants = MaterialInterface::Constants;
+      section
+        .choice("Constants", material_interface.from, {{"own", Constants::own}, {"factors", Constants::factors}},
+                Need::optional)
+        .means("own: in the section of its law; factors: those of Material, by its law, times the factors");
+      dem::ConstantFactors &by     = material_interface.factors;
+      const auto            number = [&](const char *entry, double &member, const char *meaning) {
+        section.number(entry, member, "-", Range::positive(), Need::optional)
+          .means(meaning)
+          .only_if([&material_interface] { return material_interface.from == Constants::factors; },
+                   section.path() + "/Constants = factors");
+      };
+      number("Stiffness factor", by.stiffness, "Of the moduli of Material");
+      number("Strength factor", by.strength,
+             "Of its strengths and cohesions; of its limit elastic strain this over the stiffness factor");
+      number("Ductility factor", by.ductility, "Of its relative ductility");
+    }
+  } // namespace
+
   void declare(Section &section, MaterialInterface &material_interface, const std::list<NamedMaterial> &materials)
   {
     declare_pair(section, material_interface.one, material_interface.other, "links between its own particles");
@@ -58,15 +81,17 @@ namespace apps
         Need::optional)
       .means("Law of its links, where it is not that of both materials");
     section.flag("Bonded", material_interface.bonded).means("The two are linked at the start; off: they only touch");
+    declare_interface_factors(section, material_interface);
     for (const auto &kind : dem::link_laws())
       {
         Section &block = section.section(kind->name(), kind->meaning());
         block.only_if(
           [&material_interface, &materials, kind] {
-            return !materials.empty() && (material_interface.law_among(materials) == kind.get() ||
-                                          materials.front().law.contacts == kind.get());
+            return !materials.empty() && material_interface.from == MaterialInterface::Constants::own &&
+                   (material_interface.law_among(materials) == kind.get() ||
+                    materials.front().law.contacts == kind.get());
           },
-          "its Law, or Contacts of the materials = " + kind->name());
+          "Constants = own, and its Law, or Contacts of the materials, = " + kind->name());
         LawBlock entries(block);
         material_interface.constants[kind->name()] = kind->constants();
         material_interface.constants[kind->name()]->visit(entries);
