@@ -1,6 +1,7 @@
 #pragma once
 
 #include "dem/contacts/contact_search.h"
+#include "dem/emission/emission.h"
 #include "dem/facets/glide_pushes.h"
 #include "dem/facets/surface_contacts.h"
 #include "dem/integrators/stable_step.h"
@@ -81,6 +82,7 @@ namespace dem
     double          largest_turn  = 0; ///< of a particle in one of the steps that were looked at [rad]
     Eigen::Matrix3d stress_moment = Eigen::Matrix3d::Zero(); ///< sum l (x) f at t_n [N m]; only if periodic
     CrackRecord     cracks;
+    Emission        emission;
     OverlapWatch    overlaps;
     StiffeningWatch stiffening;
 

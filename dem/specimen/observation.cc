@@ -147,6 +147,8 @@ namespace dem
     return found;
   }
 
+  const std::vector<EmissionEvent> &ObservedSpecimen::emission() const { return self->emission.events(); }
+
   Eigen::Vector3d ObservedSpecimen::displacement(const std::size_t particle) const
   {
     const auto i = static_cast<std::size_t>(self->slot.at(particle));

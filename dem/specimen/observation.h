@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/mandel.h"
+#include "dem/emission/emission_event.h"
 #include "dem/model/break_log.h"
 #include "dem/model/energy.h"
 #include "dem/specimen/grips.h"
@@ -64,6 +65,8 @@ namespace dem
     std::size_t logged_breaks() const; ///< bonds and elements of them that broke so far
     /** Those from a place in the log on; their ends are packing numbers. */
     std::vector<Break> breaks(std::size_t from = 0) const;
+    /** Events of acoustic emission so far; none where nothing is listened to (SpecimenParameters::emission_reach). */
+    const std::vector<EmissionEvent> &emission() const;
 
     /**
      * Stiffness of the cell if every particle followed its strain without turning, of the links as damaged as they are (secant; closed

@@ -36,6 +36,10 @@ namespace dem
       refuse("Damping", damping, "must be in [0, 1).");
     if (!gravity.allFinite())
       throw base::InputError("Gravity: must be finite.");
+    if (!(emission_reach >= 0 && emission_reach <= 1000))
+      refuse("Emission/Reach", emission_reach, "must be from 0 to 1000 mean diameters of the particles.");
+    if (physics.periodic && emission_reach > 0)
+      throw base::InputError("Emission/Reach: a periodic cell is not listened to: must be 0.");
     if (physics.periodic && !gravity.isZero(0))
       throw base::InputError("Gravity: a periodic cell has nothing to stand on and would fall for ever.");
     if (physics.dimension == 2 && gravity.z() != 0)

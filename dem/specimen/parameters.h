@@ -20,6 +20,7 @@ namespace dem
     double          step_factor = 0.8; ///< time step over the stable estimate (5.1), in (0, 1)
     double          damping     = 0;   ///< local (Cundall) damping D in [0, 1)
     Eigen::Vector3d gravity     = {0, 0, 0}; ///< acceleration of what falls [m/s^2]; not in a periodic cell
+    double          emission_reach = 0; ///< of one event of acoustic emission, in mean diameters; 0: not listened to
 
     /** @throws base::InputError naming the entry that is outside its range */
     void check() const;

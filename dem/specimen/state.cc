@@ -11,6 +11,7 @@ namespace dem
     contacts.visit_state(visitor, "contacts", particles.count);
     search.visit_state(visitor);
     cracks.visit_state(visitor);
+    emission.visit_state(visitor);
     if (parameters.physics.periodic)
       for (int c = 0; c < 9; ++c)
         visitor.scalar("cell/stress_moment_" + std::to_string(c), stress_moment.data()[c]);

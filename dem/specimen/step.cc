@@ -44,6 +44,8 @@ namespace dem
       sum_stress();
     settle_events(bonds, *bond_law);
     settle_events(contacts, *contact_law);
+    if (emission.listens())
+      emission.listen(particles, bonds, contacts, cracks.events(), time);
   }
 
   void SpecimenCore::move_particles(const StepHalves   &halves,

@@ -89,6 +89,20 @@ namespace postprocess
                {"area", "m^2", 1, cells, "of what broke", ""}}};
     }
 
+    FieldFile emission_fields()
+    {
+      return {"emission",
+              "emission.vtp, of uniaxial tests TEST_emission.vtp",
+              "events of acoustic emission, at the mean place of their breaks, of scenes with `Emission/Reach`",
+              {{"event_time", "s", 1, cells, "of its first break", ""},
+               {"breaks", "", 1, cells, "bonds or elements of them that broke in it", ""},
+               {"area", "m^2", 1, cells, "of what broke", ""},
+               {"moment", "N m", 6, cells, "moment tensor, when it was largest", ""},
+               {"scalar_moment", "N m", 1, cells, "its size", ""},
+               {"magnitude", "-", 1, cells, "moment magnitude", ""},
+               {"isotropic_share", "-", 1, cells, "1: explosion, 0: shear, -1: implosion", ""}}};
+    }
+
     FieldFile solid_fields()
     {
       return {"solid",
@@ -215,6 +229,7 @@ namespace postprocess
                                                link_fields(),
                                                wall_fields(),
                                                break_fields(),
+                                               emission_fields(),
                                                solid_fields_with_histories(),
                                                transferred_particle_fields(),
                                                integration_point_fields(),

@@ -20,12 +20,12 @@ namespace postprocess
     vtkSmartPointer<vtkCellArray> cells_of(const fem::SolidSnapshot &solid)
     {
       const auto nodes = static_cast<vtkIdType>(solid.element_nodes);
-      auto       cells = vtkSmartPointer<vtkCellArray>::New();
-      cells->AllocateExact(static_cast<vtkIdType>(solid.size()), static_cast<vtkIdType>(solid.elements.size()));
+      auto       made  = vtkSmartPointer<vtkCellArray>::New();
+      made->AllocateExact(static_cast<vtkIdType>(solid.size()), static_cast<vtkIdType>(solid.elements.size()));
       std::vector<vtkIdType> element(solid.elements.begin(), solid.elements.end());
       for (std::size_t e = 0; e < solid.size(); ++e)
-        cells->InsertNextCell(nodes, &element[e * static_cast<std::size_t>(nodes)]);
-      return cells;
+        made->InsertNextCell(nodes, &element[e * static_cast<std::size_t>(nodes)]);
+      return made;
     }
 
     bool is_declared(const FieldFile &file, const std::string &name)

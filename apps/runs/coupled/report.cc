@@ -1,5 +1,6 @@
 #include "apps/runs/coupled/report.h"
 
+#include "apps/figures/emission_figures.h"
 #include "apps/figures/series_figures.h"
 #include "apps/models/tension_beyond_apex.h"
 #include "apps/process/progress.h"
@@ -58,6 +59,7 @@ namespace apps
     if (model.laboratory.given())
       found.update(figures_of({notes()}));
     found["broken_links"] = static_cast<std::int64_t>(series.column("broken_links").back());
+    found.update(EmissionFigures(body.particles().specimen()).json());
     for (const CouplingSection &coupling : model.couplings.couplings)
       if (coupling.bond.given())
         found["torn_off"][coupling.name] = series.column(column_name(coupling.name) + "_torn").back();

@@ -1,5 +1,6 @@
 #include "apps/runs/particles/break_results.h"
 
+#include "apps/figures/emission_figures.h"
 #include "apps/results/warning.h"
 #include "dem/facets/surface.h"
 #include "postprocess/pictures/break_pictures.h"
@@ -33,6 +34,7 @@ namespace apps
       warn_of_missing("forces.png",
                       postprocess::picture_of_forces(folder / "forces.png", particles, links,
                                                      specimen.surfaces().contacts(), "Forces at the end", slab));
+    write_emission(specimen, folder, "", slab.axis);
     if (breaks.empty())
       return;
     warn_of_missing("breaks.png",
@@ -56,6 +58,7 @@ namespace apps
     const auto glue   = std::count_if(breaks.begin(), breaks.end(), [](const dem::Break &b) { return b.surface >= 0; });
     return fmt::format("broken       {} in tension, {} in shear, {} gradually; {} links{}\n", share(0), share(1),
                        share(2), specimen.counts().broken,
-                       glue > 0 ? fmt::format("; {} of these at glued surfaces", glue) : std::string());
+                       glue > 0 ? fmt::format("; {} of these at glued surfaces", glue) : std::string()) +
+           EmissionFigures(specimen).text();
   }
 } // namespace apps

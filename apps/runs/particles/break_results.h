@@ -8,7 +8,7 @@
 
 namespace apps
 {
-  /** What a run of bonded particles leaves of its cracks and forces when it ends: breaks.csv, breaks.png, directions.png, forces.png. */
+  /** What a run of bonded particles leaves of its cracks and forces when it ends: breaks.csv, breaks.png, directions.png, forces.png, and its emission. */
   struct BreakResults
   {
     const dem::ObservedSpecimen    &specimen;

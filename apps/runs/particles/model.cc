@@ -6,10 +6,6 @@
 
 namespace apps
 {
-  namespace
-  {
-  } // namespace
-
   void ParticlesModel::check(const base::EntryPath &root) const
   {
     check_as_part(root);
@@ -75,6 +71,7 @@ namespace apps
     made.loose                   = more.loose(physics.dimension);
     made.damping                 = time.damping_at(0);
     made.gravity                 = gravity.vector();
+    made.emission_reach          = emission.reach;
     return made;
   }
 

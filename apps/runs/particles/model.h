@@ -1,5 +1,6 @@
 #pragma once
 
+#include "apps/models/emission.h"
 #include "apps/models/gravity.h"
 #include "apps/models/output.h"
 #include "apps/models/time.h"
@@ -37,6 +38,7 @@ namespace apps
     SpecimenTestSection     laboratory;
     StopsSection            stops;
     OutputSection           output;
+    EmissionSection         emission;
     std::string             horizontal, vertical; ///< columns of the curve, as the scene asks for them
 
     /** @throws base::InputError. */

@@ -1,5 +1,6 @@
 #include "apps/runs/particles/outcome.h"
 
+#include "apps/figures/emission_figures.h"
 #include "apps/runs/particles/laboratory_report.h"
 
 namespace apps
@@ -10,6 +11,9 @@ namespace apps
     for (const ProbeSection &probe : model.probes.probes)
       found.add_figures_of_column(probe.name);
     found.figures.emplace_back("broken_links");
+    if (model.emission.given())
+      for (const std::string &name : EmissionFigures::names())
+        found.figures.push_back(name);
     if (model.laboratory.given())
       for (const std::string &name : names_of_figures(model.laboratory))
         found.figures.push_back("laboratory/" + name);

@@ -1,5 +1,6 @@
 #include "apps/runs/particles/report.h"
 
+#include "apps/figures/emission_figures.h"
 #include "apps/figures/energy_terms.h"
 #include "apps/figures/series_figures.h"
 #include "apps/models/tension_beyond_apex.h"
@@ -42,6 +43,7 @@ namespace apps
     for (const ProbeSection &probe : model.probes.probes)
       found[probe.name] = figure_of(series, probe.name, probe.unit());
     found["broken_links"] = specimen().counts().broken;
+    found.update(EmissionFigures(specimen()).json());
     if (body.test())
       found["laboratory"] = LaboratoryReport{model.laboratory, *body.test(), slower}.json();
     return found;

@@ -1,5 +1,6 @@
 #include "apps/runs/uniaxial/lab_test.h"
 
+#include "apps/figures/emission_figures.h"
 #include "apps/figures/energy_terms.h"
 #include "apps/process/progress.h"
 #include "apps/results/warning.h"
@@ -139,6 +140,7 @@ namespace apps
         result.stress.push_back(sample.stress);
       }
     result.link_classes = classes.figures(specimen);
+    result.emission     = EmissionFigures(specimen).row();
     note_work_of_fracture(result.notes, test.figures());
     const dem::SpecimenParameters &made = specimen.parameters();
     result.notes.crack                  = dem::measure_crack(specimen.particles(), specimen.links(),
@@ -149,6 +151,7 @@ namespace apps
   {
     postprocess::write_discrete_state(dem::discrete_state(specimen), folder / (name + "_state.h5"));
     warn_of_missing("crack picture", draw_crack(folder));
+    write_emission(specimen, folder, name + "_", seen_along());
   }
 
   std::shared_ptr<const dem::ObservedSpecimen> UniaxialLabTest::specimen_at_end()
@@ -159,7 +162,7 @@ namespace apps
   std::string UniaxialLabTest::draw_crack(const std::filesystem::path &folder) const
   {
     postprocess::PictureSlab slab;
-    slab.axis      = axis == 2 ? 1 : 2; // seen across the load
+    slab.axis      = seen_along();
     slab.materials = materials.names;
     return postprocess::picture_of_specimen(folder / (name + "_crack.png"), specimen.particles(), specimen.links(),
                                             "After " + name, slab);

@@ -53,7 +53,7 @@ namespace apps
     bool      finished() const { return test.finished(); }
     /** When finished: completes the result, and takes the last snapshot. */
     void complete();
-    /** Then: leaves in a folder TEST_state.h5, from which `breccia transfer` can go on, and TEST_crack.png. */
+    /** Then: leaves in a folder TEST_state.h5, from which `breccia transfer` can go on, TEST_crack.png, and its emission. */
     void write(const std::filesystem::path &folder) const;
     /** Of a complete test; it has none itself from then on. */
     std::shared_ptr<const dem::ObservedSpecimen> specimen_at_end();
@@ -74,6 +74,7 @@ namespace apps
 
   private:
     bool        snapshot_due() const; ///< with the last sample
+    int         seen_along() const { return axis == 2 ? 1 : 2; } ///< of pictures, across the load
     std::string draw_crack(const std::filesystem::path &folder) const;
 
     std::string       name; ///< "tension"

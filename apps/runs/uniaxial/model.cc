@@ -17,6 +17,7 @@ namespace apps
   {
     dem::SpecimenParameters parameters = specimen_parameters(source, physics, time);
     parameters.gravity                 = gravity.vector();
+    parameters.emission_reach          = emission.reach;
     return parameters;
   }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "apps/models/emission.h"
 #include "apps/models/gravity.h"
 #include "apps/models/loading.h"
 #include "apps/models/material.h"
@@ -26,6 +27,7 @@ namespace apps
     GravitySection         gravity;
     UniaxialLoadingSection loading;
     OutputSection          output;
+    EmissionSection        emission;
 
     /** Rules between entries. @throws base::InputError */
     void                             check(const base::EntryPath &root) const;

@@ -1,5 +1,6 @@
 #include "apps/runs/uniaxial/outcome.h"
 
+#include "apps/figures/emission_figures.h"
 #include "apps/figures/lab_report.h"
 #include "apps/runs/uniaxial/lab_test.h"
 
@@ -9,6 +10,10 @@ namespace apps
   {
     RunOutcome found;
     found.figures = names_of_figures(model.loads(), true);
+    if (model.emission.given())
+      for (const UniaxialLoad load : model.loads())
+        for (const std::string &name : EmissionFigures::names(std::string(name_of(load)) + "_"))
+          found.figures.push_back(name);
     found.set_columns(UniaxialLabTest::series_columns(model));
     return found;
   }

@@ -1,5 +1,6 @@
 #include "apps/runs/uniaxial/report.h"
 
+#include "apps/figures/emission_figures.h"
 #include "apps/figures/energy_terms.h"
 #include "apps/figures/summary_head.h"
 #include "apps/models/tension_beyond_apex.h"
@@ -56,7 +57,9 @@ namespace apps
 
     nlohmann::json summary = summary_head(request, "uniaxial");
     summary["figures"]     = figures_of(notes_of(results));
-    summary["warnings"]    = warnings_of(notes_of(results));
+    for (const UniaxialResult &result : results)
+      summary["figures"].update(EmissionFigures(result.emission).json(result.notes.name + "_"));
+    summary["warnings"] = warnings_of(notes_of(results));
     for (const std::string &doubt : tension_beyond_apex(model.material))
       summary["warnings"].push_back(doubt);
     summary["cost"]             = {{"particles", first.at_start.particles},
@@ -102,8 +105,9 @@ namespace apps
     if (model.mix.given())
       text += fmt::format("mix          {}\n", model.mixed().figures().text());
     for (const UniaxialResult &result : results)
-      text +=
-        text_of(result.notes) + LinkClasses(model.mixed().link_classes(test.materials.names)).text(result.link_classes);
+      text += text_of(result.notes) +
+              LinkClasses(model.mixed().link_classes(test.materials.names)).text(result.link_classes) +
+              EmissionFigures(result.emission).text();
     text += basis_of(results.front().notes);
     text += warning_lines(notes_of(results));
     for (const std::string &doubt : tension_beyond_apex(model.material))

@@ -47,5 +47,6 @@ namespace apps
     visitor.column("strain", strain);
     visitor.column("stress", stress);
     visitor.column("link_classes", link_classes);
+    visitor.column("emission_figures", emission);
   }
 } // namespace apps

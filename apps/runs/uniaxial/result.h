@@ -27,6 +27,7 @@ namespace apps
     double             stepping_seconds = 0; ///< wall clock, in steps only
     base::Column       strain, stress;       ///< the curve, tension positive; filled when the test has ended
     base::Column       link_classes;         ///< figures of LinkClasses, likewise
+    base::Column       emission;             ///< row of EmissionFigures, likewise
 
     /** Everything that a resumed run must still know of this test. */
     void visit_state(base::StateVisitor &visitor);

@@ -1,5 +1,6 @@
 #include "apps/scene/particles/model.h"
 
+#include "apps/scene/entries/emission.h"
 #include "apps/scene/entries/gravity.h"
 #include "apps/scene/entries/material.h"
 #include "apps/scene/entries/output.h"
@@ -78,6 +79,7 @@ namespace apps
       .means("When the run ends, unless a stop condition or the test of section Laboratory ends it before")
       .only_if([&model] { return !model.laboratory.given(); }, "there is no section Laboratory that ends the run");
     declare(root, model.gravity, weight);
+    declare(root, model.emission);
     declare(root, model.stops);
     declare_output(root, model.output, model.horizontal, model.vertical);
   }

@@ -1,5 +1,6 @@
 #include "apps/scene/uniaxial/model.h"
 
+#include "apps/scene/entries/emission.h"
 #include "apps/scene/entries/gravity.h"
 #include "apps/scene/entries/loading.h"
 #include "apps/scene/entries/material.h"
@@ -22,5 +23,6 @@ namespace apps
     declare(root, model.gravity);
     declare(root, model.loading);
     declare(root, model.output);
+    declare(root, model.emission);
   }
 } // namespace apps
