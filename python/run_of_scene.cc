@@ -3,6 +3,7 @@
 #include "apps/results/run_observer.h"
 #include "apps/scene/kinds/read_scene.h"
 #include "apps/scene/reader.h"
+#include "base/errors.h"
 
 #include <chrono>
 
@@ -82,11 +83,14 @@ namespace python
   std::shared_ptr<apps::RunResult>
   run_scene(const std::string &file, const std::vector<std::string> &changes, const RunChoice &choice)
   {
-    const apps::CheckedScene scene   = apps::read_scene(file, changes);
-    apps::RunRequest         request = apps::request_of(scene);
-    request.output_folder            = choice.folder;
-    request.resume                   = choice.resume;
-    request.overrides                = changes;
+    const apps::CheckedScene scene = apps::read_scene(file, changes);
+    if (scene.replicates > 1)
+      throw base::InputError(file +
+                             ": Replicates: several runs are made by \"breccia run\"; here the seeds are changed.");
+    apps::RunRequest request = apps::request_of(scene);
+    request.output_folder    = choice.folder;
+    request.resume           = choice.resume;
+    request.overrides        = changes;
 
     RowsToPython    rows(choice.on_sample);
     SignalsOfPython signals;

@@ -7,9 +7,12 @@
 #include "apps/scene/kinds/read_scene.h"
 #include "apps/scene/reader.h"
 #include "apps/studies/calibration_runs.h"
+#include "apps/studies/replicates.h"
 #include "apps/studies/run_study.h"
 
 #include <fmt/format.h>
+
+#include <omp.h>
 
 #include <memory>
 
@@ -70,6 +73,16 @@ namespace apps
       return exit_success;
     }
 
+    void print_replicates(const CheckedScene &scene, const double seconds)
+    {
+      const SharedThreads shared = shared_threads(omp_get_max_threads(), scene.replicates);
+      std::string         seeds;
+      for (const SceneSeed &seed : seeds_in_use(*scene.root))
+        seeds += (seeds.empty() ? "" : ", ") + seed.entry;
+      fmt::print("  replicates   {}, with {} of their own\n{}", scene.replicates, seeds,
+                 together_line(seconds * static_cast<double>(scene.replicates), shared.runs));
+    }
+
     int check(const SceneOptions &options)
     {
       use_threads(options.threads);
@@ -83,6 +96,8 @@ namespace apps
       std::string forecast;
       with_places(*scene.root, [&] { forecast = scene.scene->forecast(); });
       fmt::print("{}: valid\n{}", options.scene, forecast);
+      if (scene.replicates > 1)
+        print_replicates(scene, duration_in(forecast).value_or(0));
       return exit_success;
     }
   } // namespace

@@ -2,10 +2,15 @@
 #include "apps/commands/scene_options.h"
 #include "apps/process/exit_status.h"
 #include "apps/process/interrupt.h"
+#include "apps/process/mpi_session.h"
 #include "apps/results/run_result.h"
 #include "apps/results/terminal.h"
 #include "apps/scene/kinds/read_scene.h"
 #include "apps/scene/reader.h"
+#include "apps/specimens/cache_folder.h"
+#include "apps/studies/replicates.h"
+
+#include <omp.h>
 
 #include <memory>
 
@@ -28,12 +33,19 @@ namespace apps
       const CheckedScene scene = read_scene(options.scene, overrides);
       print_notes(scene);
       refuse_idle_ranks(scene);
+      if (scene.replicates > 1 && launched_ranks() > 1)
+        scene.root->refuse(
+          "Replicates", "several runs are made by one process, which starts the others; mpirun has started several.");
       catch_interrupts();
 
       RunRequest request = request_of(scene);
       request.resume     = options.resume;
       request.restart    = options.restart;
       request.overrides  = options.overrides;
+      if (scene.replicates > 1)
+        return run_replicates(
+          scene, request,
+          {scene.output_folder, options.overrides, omp_get_max_threads(), options.restart, !packing_cache_folder()});
       Terminal terminal;
       request.observers = {&terminal};
       int status        = exit_success;
@@ -46,13 +58,15 @@ namespace apps
   {
     const auto options = std::make_shared<RunOptions>();
     CLI::App  &command = *program.add_subcommand("run", "Run a scene and write its results");
-    command.footer("Results of a complete run stand in the folder: summary.json, series.csv, figures, .pvd files for "
-                   "ParaView, and\n"
-                   "scene.prm with every entry. Until then they grow in its sub-folder \"running\", and results of an "
-                   "earlier run stay\n"
-                   "as they are. Ctrl-C saves the state there; --resume goes on to the same bits.\n"
-                   "Exit status: 0 done, 1 the computation failed, 2 something given is wrong or cannot be written, "
-                   "130 interrupted.");
+    command.footer(
+      "Results of a complete run stand in the folder: summary.json, series.csv, figures, .pvd files for "
+      "ParaView, and\n"
+      "scene.prm with every entry. Until then they grow in its sub-folder \"running\", and results of an "
+      "earlier run stay\n"
+      "as they are. Ctrl-C saves the state there; --resume goes on to the same bits.\n"
+      "Replicates of a scene stand below the sub-folder \"runs\"; those that are done are never repeated.\n"
+      "Exit status: 0 done, 1 the computation failed, 2 something given is wrong or cannot be written, "
+      "130 interrupted.");
     add_scene_options(command, *options);
     command
       .add_option("-o,--output", options->output_folder, "Folder for the results; default: the scene's, or output/NAME")

@@ -18,26 +18,44 @@ namespace apps
       }
   }
 
-  base::Column LinkClasses::figures(const dem::ObservedSpecimen &specimen) const
+  double *LinkClasses::row_of(base::Column &figures, const std::int32_t pair) const
+  {
+    return &figures[figures_of_one * of_pair.at(static_cast<std::size_t>(pair))];
+  }
+
+  base::Column LinkClasses::counted(const dem::LinkOutput &links) const
   {
     base::Column found(names.size() * figures_of_one, 0.0);
-    if (names.empty())
-      return found;
-    const auto of = [&](const std::int32_t pair) {
-      return &found[figures_of_one * of_pair.at(static_cast<std::size_t>(pair))];
-    };
-    const dem::LinkOutput links = specimen.links();
     for (std::size_t l = 0; l < links.pair.size(); ++l)
       if (links.kind[l] != dem::LinkOutput::contact)
         {
-          double *row = of(links.pair[l]);
+          double *row = row_of(found, links.pair[l]);
           row[0] += 1;
           row[1] += links.kind[l] == dem::LinkOutput::broken ? 1 : 0;
           row[2] += links.damage[l];
           row[3] += links.dissipated[l];
         }
+    return found;
+  }
+
+  base::Column LinkClasses::figures(const dem::ObservedSpecimen &specimen) const
+  {
+    if (names.empty())
+      return {};
+    base::Column found = counted(specimen.links());
     for (const dem::Break &event : specimen.breaks())
-      of(event.pair)[4] += event.area;
+      row_of(found, event.pair)[4] += event.area;
+    return found;
+  }
+
+  base::Column LinkClasses::figures(const dem::LinkOutput &links, const std::vector<double> &area) const
+  {
+    if (names.empty())
+      return {};
+    base::Column found = counted(links);
+    for (std::size_t l = 0; l < links.pair.size(); ++l)
+      if (links.kind[l] == dem::LinkOutput::broken)
+        row_of(found, links.pair[l])[4] += area.at(l);
     return found;
   }
 

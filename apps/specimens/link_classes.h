@@ -5,6 +5,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,8 @@ namespace apps
     static constexpr std::size_t figures_of_one = 5; ///< made, broken, sum of damage, energy [J], area [m^2]
     /** Of a specimen as it is: a row of figures for each class. Nothing where there is one material. */
     base::Column figures(const dem::ObservedSpecimen &specimen) const;
+    /** Of links without a log of what broke. @param area of each [m^2] */
+    base::Column figures(const dem::LinkOutput &links, const std::vector<double> &area) const;
 
     /** What a summary says of such figures: links, broken, mean damage, energy of damage, and area of what broke, by class. */
     nlohmann::json json(const base::Column &figures) const;
@@ -28,6 +31,9 @@ namespace apps
     std::string text(const base::Column &figures) const;
 
   private:
+    double      *row_of(base::Column &figures, std::int32_t pair) const;
+    base::Column counted(const dem::LinkOutput &links) const; ///< but for areas
+
     std::vector<std::string> names;
     std::vector<std::size_t> of_pair; ///< class of each pair of materials
   };

@@ -143,6 +143,15 @@ namespace apps
     running[process] = {job, Clock::now()};
   }
 
+  void ChildRuns::interrupt()
+  {
+    for (const auto &[process, child] : running)
+      kill(process, SIGINT);
+    for (const auto &[process, child] : running)
+      waitpid(process, nullptr, 0);
+    running.clear();
+  }
+
   std::optional<EndedChild> ChildRuns::wait(const std::chrono::milliseconds patience)
   {
     const auto until = Clock::now() + patience;

@@ -3,9 +3,9 @@
 #include "apps/text/size_table.h"
 #include "base/errors.h"
 #include "dem/model/materials.h"
+#include "tests/apps/concrete_stack.h"
 #include "tests/apps/mortar.h"
 #include "tests/apps/program.h"
-#include "tests/apps/scenes.h"
 #include "tests/apps/scratch_folder.h"
 
 #include <catch2/catch.hpp>
@@ -114,32 +114,11 @@ TEST_CASE("Mix: links between different aggregates are of the interface, within 
   CHECK(modulus(1, 3) == 12.5e9);
 }
 
-namespace
-{
-  /** The stack of spheres as concrete with aggregates of 3 to 6 mm. */
-  std::string concrete_stack()
-  {
-    return apps_tests::replaced(apps_tests::scene_with_file(), "  set Density           = 4800\n",
-                                R"(  set Density           = 4800
-  set Box size          = 0.0102, 0.009, 0.012
-  subsection Mix
-    set Content            = 0.3
-    set Grading            = passing
-    set Curve              = 6e-3: 100, 3e-3: 10
-    set Smallest aggregate = 3e-3
-    subsection Interface
-      set Ductility factor = 0.05
-    end
-  end
-)");
-  }
-} // namespace
-
 TEST_CASE("Mix: a run says what was asked and reached, and its figures by class of links", "[apps][mesoscale]")
 {
   const apps_tests::ScratchFolder folder;
   folder.file("packing.txt", apps_tests::stack_packing());
-  folder.file("x.prm", concrete_stack());
+  folder.file("x.prm", apps_tests::concrete_stack());
   const apps_tests::Outcome outcome = apps_tests::run(folder.path(), {"run", "x.prm", "-o", "results"});
   INFO(outcome.err);
   REQUIRE(outcome.status == 0);
@@ -166,7 +145,7 @@ TEST_CASE("Mix: a run says what was asked and reached, and its figures by class 
       CHECK_THAT(energy, WithinRel(test["energy"]["damage"].get<double>(), 1e-9));
     }
   CHECK(std::filesystem::exists(folder / "results/grading.png"));
-  folder.file("bad.prm", apps_tests::replaced(concrete_stack(), "100, 3e-3: 10", "10, 3e-3: 100"));
+  folder.file("bad.prm", apps_tests::replaced(apps_tests::concrete_stack(), "100, 3e-3: 10", "10, 3e-3: 100"));
   const apps_tests::Outcome refused = apps_tests::run(folder.path(), {"check", "bad.prm"});
   CHECK(refused.status == 2);
   CHECK_THAT(refused.err, Contains("Specimen/Mix") && Contains("less passes than the finer sieve"));

@@ -217,6 +217,20 @@ TEST_CASE("Mix: a cell has aggregates over its faces and figures by class of lin
     }
   CHECK(summary["link_classes"].size() == 3);
   CHECK(links == summary["cost"]["links"]);
+
+  const auto still  = summary_of(folder, "still1");
+  double     energy = 0;
+  links             = 0;
+  for (const auto &each : still["tests"][0]["link_classes"])
+    {
+      links += each["links"].get<std::size_t>();
+      energy += each["damage_energy"].get<double>();
+      CHECK((each["broken"] > 0) == (each["broken_area"] > 0));
+    }
+  CHECK(links == still["cost"]["links"]);
+  CHECK_THAT(energy, WithinRel(still["tests"][0]["energy"]["damage"].get<double>(), 1e-6));
+  CHECK(energy > 0);
+  CHECK(std::filesystem::exists(folder / "still1/grading.png"));
 }
 
 TEST_CASE("Mix: an interrupted cell of concrete goes on to the same bits", "[apps][mesoscale][slow][S13]")

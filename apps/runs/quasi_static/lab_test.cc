@@ -77,12 +77,14 @@ namespace apps
       visitor.scalar(name, *value);
     visitor.column("strain", strain);
     visitor.column("stress", stress);
+    visitor.column("link_classes", link_classes);
   }
 
   QuasiStaticLabTest::QuasiStaticLabTest(const QuasiStaticModel &model,
                                          const dem::Packing     &packing,
                                          const std::size_t       which)
-    : name(name_of(model.tests[which]))
+    : classes(model.mixed().link_classes(packing.material_names))
+    , name(name_of(model.tests[which]))
     , axis(model.axis)
     , shape{model.dimension, 0, model.source.thickness}
     , end_strain(model.steps(model.tests[which]).end_strain)
@@ -198,8 +200,12 @@ namespace apps
   {
     if (particles && static_cast<std::int64_t>(path.points().size() - 1) % snapshot_interval != 0)
       snapshot();
-    result.notes.crack =
-      dem::measure_crack(dem::particles_of(loaded, path, radius, shape), dem::links_of(loaded, path), shape);
+    const dem::LinkOutput joined = dem::links_of(loaded, path);
+    result.notes.crack           = dem::measure_crack(dem::particles_of(loaded, path, radius, shape), joined, shape);
+    std::vector<double> area;
+    for (const dem::ElasticLink &link : loaded.network.links)
+      area.push_back(link.area);
+    result.link_classes = classes.figures(joined, area);
     dem::CurveFigures curve;
     for (std::size_t i = 0; i < result.strain.size(); ++i)
       curve.add(result.strain[i], result.stress[i]);

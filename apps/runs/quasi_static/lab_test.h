@@ -4,6 +4,7 @@
 #include "apps/results/run_work.h"
 #include "apps/results/warning.h"
 #include "apps/runs/quasi_static/model.h"
+#include "apps/specimens/link_classes.h"
 #include "apps/specimens/material_counts.h"
 #include "dem/observation/link_images.h"
 #include "postprocess/vtk/pvd.h"
@@ -32,6 +33,7 @@ namespace apps
     std::int64_t          solutions = 0, relaxation_steps = 0;
     dem::QuasiStaticPoint last;
     base::Column          strain, stress; ///< the curve, tension positive
+    base::Column          link_classes;   ///< figures of LinkClasses at its end
 
     /** The next point, with its strain over the gauge length and its stress. */
     void add(const dem::QuasiStaticPoint &point, double strain, double stress);
@@ -79,6 +81,7 @@ namespace apps
 
     QuasiStaticResult result;
     MaterialCounts    materials;
+    LinkClasses       classes;
 
     /** Of a cell all strains are known; between grips only that along the axis. */
     static std::vector<postprocess::SeriesColumn> series_columns(const QuasiStaticModel &model);

@@ -25,9 +25,11 @@ namespace apps
               {"balance_error", r.worst_balance_error}};
     }
 
-    nlohmann::json details_of(const QuasiStaticResult &r)
+    nlohmann::json details_of(const QuasiStaticResult &r, const LinkClasses &classes)
     {
       nlohmann::json details = json_of(r.notes);
+      if (const nlohmann::json by_class = classes.json(r.link_classes); !by_class.empty())
+        details["link_classes"] = by_class;
       details["points"] = {{"strain", r.strain_points}, {"opening", r.opening_points}, {"relaxed", r.relaxed_points}};
       details["solutions"]        = r.solutions;
       details["relaxation_steps"] = r.relaxation_steps;
@@ -56,7 +58,7 @@ namespace apps
     if (model.mix.given())
       summary["mix"] = model.mixed().figures(test.cell_edges()).json();
     for (const QuasiStaticResult &r : results)
-      summary["tests"].push_back(details_of(r));
+      summary["tests"].push_back(details_of(r, test.classes));
     return summary;
   }
 
@@ -70,7 +72,12 @@ namespace apps
         stress.insert(stress.end(), r.stress.begin(), r.stress.end());
         panels.push_back(panel_of(r.load, strain, stress));
       }
-    return postprocess::plot(file, panels);
+    std::string missing = postprocess::plot(file, panels);
+    if (model.mix.given())
+      if (const std::string grading = model.mixed().figures(test.cell_edges()).draw(file.parent_path() / "grading.png");
+          missing.empty())
+        missing = grading;
+    return missing;
   }
 
   std::string QuasiStaticReport::text() const
@@ -80,7 +87,7 @@ namespace apps
       text += fmt::format("mix          {}\n", model.mixed().figures(test.cell_edges()).text());
     for (const QuasiStaticResult &r : results)
       {
-        text += text_of(r.notes);
+        text += text_of(r.notes) + test.classes.text(r.link_classes);
         text += fmt::format("{:<12} {} points led by strain, {} by opening, {} relaxed (cascades)\n", "",
                             r.strain_points, r.opening_points, r.relaxed_points);
       }

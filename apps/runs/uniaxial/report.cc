@@ -93,10 +93,11 @@ namespace apps
     std::vector<postprocess::PlotPanel> panels;
     for (const UniaxialResult &result : results)
       panels.push_back(panel_of(result.load, result.strain, result.stress));
+    std::string missing = postprocess::plot(file, panels);
     if (model.mix.given())
-      if (std::string missing = model.mixed().figures().draw(file.parent_path() / "grading.png"); !missing.empty())
-        return missing;
-    return postprocess::plot(file, panels);
+      if (const std::string grading = model.mixed().figures().draw(file.parent_path() / "grading.png"); missing.empty())
+        missing = grading;
+    return missing;
   }
 
   std::string UniaxialReport::text() const

@@ -94,7 +94,8 @@ namespace apps
       section.number("Wall distance", mix.wall, "m", Range::at_least(0), Need::optional)
         .means("Between an aggregate and a face of the box, at least; a periodic cell has none");
       section.integer("Seed", mix.seed, "", Range::between(0, 9007199254740992.0), Need::optional)
-        .means("Another seed gives other places, and other drawn sizes");
+        .means("Another seed gives other places, and other drawn sizes")
+        .only_if([&mix] { return mix.given(); }, "Specimen/Mix/Smallest aggregate > 0");
       section.integer("Tries", mix.tries, "", Range::between(1, 1e9), Need::optional)
         .means("Places drawn for one aggregate before all begin anew");
       section.integer("Restarts", mix.restarts, "", Range::between(0, 1e6), Need::optional)

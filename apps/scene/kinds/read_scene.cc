@@ -2,6 +2,7 @@
 
 #include "apps/scene/description.h"
 #include "apps/scene/kinds/kinds.h"
+#include "apps/scene/kinds/seeds.h"
 #include "apps/scene/overrides.h"
 #include "apps/scene/parameter_file.h"
 #include "apps/scene/reader.h"
@@ -69,6 +70,18 @@ namespace apps
         .means("Where the results go (option -o), from the current folder")
         .housekeeping();
       read.scene->declare(*read.root);
+      if (has_seed(*read.root))
+        read.root->integer("Replicates", read.replicates, "", Range::between(1, 1000), Need::optional)
+          .means(
+            "Runs of the scene, the first with its seeds, each further one with all seeds one larger; with several, "
+            "results are their mean and scatter (breccia run)")
+          .housekeeping();
+    }
+
+    void refuse_equal_replicates(const CheckedScene &read)
+    {
+      if (read.replicates > 1 && seeds_in_use(*read.root).empty())
+        read.root->refuse("Replicates", "nothing of this scene is drawn by a seed, and all would be equal.");
     }
 
     /** The kinds, but for this one, that have a section of this name. */
@@ -155,6 +168,7 @@ namespace apps
     declare_all(read);
     refuse_of_other_kinds(read, assignments);
     assign(*read.root, assignments, file);
+    refuse_equal_replicates(read);
     with_places(*read.root, [&] { read.scene->check(); });
     return read;
   }

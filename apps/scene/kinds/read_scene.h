@@ -4,6 +4,7 @@
 #include "apps/scene/scene.h"
 #include "apps/scene/section.h"
 
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>
@@ -18,6 +19,7 @@ namespace apps
     std::string              output_folder; ///< entry "Output folder"
     std::vector<std::string> overrides;     ///< as typed
     std::vector<std::string> notes;         ///< of old names in it (apps/scene/renamed.h)
+    std::int64_t replicates = 1; ///< entry "Replicates": runs with seeds of their own (apps/studies/replicates.h)
     std::unique_ptr<Section> root;
     std::unique_ptr<Scene>   scene;
   };
