@@ -1,9 +1,9 @@
 #include "apps/commands/command.h"
 #include "apps/process/exit_status.h"
-#include "apps/process/version.h"
+#include "apps/process/interrupt.h"
 #include "apps/results/result_folder.h"
 #include "apps/results/warning.h"
-#include "apps/studies/inversion.h"
+#include "apps/studies/inversion_report.h"
 #include "apps/text/value_text.h"
 #include "base/errors.h"
 #include "postprocess/files/atomic_file.h"
@@ -28,6 +28,7 @@ namespace apps
       std::vector<std::string> surfaces, targets, boxes;
       std::string              folder;
       InversionQuestion        question;
+      TargetScaling            scaling; ///< without a study: it is not asked for
     };
 
     /** "NAME=VALUE" in two. */
@@ -89,66 +90,6 @@ namespace apps
       return question;
     }
 
-    double deviation(const InversionQuestion &question, const InversionSolution &solution, const std::size_t response)
-    {
-      return solution.responses[response] / question.targets[response] - 1;
-    }
-
-    std::string words_of(const InversionQuestion &question, const Inversion &found)
-    {
-      std::string text = fmt::format("{:<14} {:>12} {:>12} {:>12}\n", "response", "target", "surface", "deviation");
-      for (std::size_t k = 0; k < question.targets.size(); ++k)
-        text += fmt::format("{:<14} {:>12.6g} {:>12.6g} {:>10.3g} %\n", question.surfaces[k].response,
-                            question.targets[k], found.best().responses[k], 100 * deviation(question, found.best(), k));
-      text += fmt::format("\n{:<14} {:>12} {:>12} {:>12}   of {} equally good answers\n", "constant", "most central",
-                          "least", "largest", found.equally_good.size());
-      for (std::size_t factor = 0; factor < found.factors.size(); ++factor)
-        {
-          double least = INFINITY, largest = -INFINITY;
-          for (const InversionSolution &solution : found.equally_good)
-            {
-              least   = std::min(least, solution.constants[factor]);
-              largest = std::max(largest, solution.constants[factor]);
-            }
-          text += fmt::format("{:<14} {:>12.6g} {:>12.6g} {:>12.6g}\n", found.factors[factor],
-                              found.best().constants[factor], least, largest);
-        }
-      for (const std::string &warning : found.warnings)
-        text += "warning: " + warning + "\n";
-      return text;
-    }
-
-    nlohmann::json json_of(const InversionQuestion &question, const Inversion &found)
-    {
-      nlohmann::json json = {{"made_by", "breccia " + version()}, {"seed", question.genetic.seed},
-                             {"reached", found.reached},          {"misfit", found.best().misfit},
-                             {"warnings", found.warnings},        {"solutions", nlohmann::json::array()}};
-      for (const InversionSolution &solution : found.equally_good)
-        {
-          nlohmann::json one = {{"misfit", solution.misfit}};
-          for (std::size_t factor = 0; factor < found.factors.size(); ++factor)
-            one["constants"][found.factors[factor]] = solution.constants[factor];
-          json["solutions"].push_back(one);
-        }
-      for (std::size_t k = 0; k < question.targets.size(); ++k)
-        json["responses"][question.surfaces[k].response] = {
-          {"target", question.targets[k]},
-          {"value", found.best().responses[k]},
-          {"relative_deviation", deviation(question, found.best(), k)},
-          {"unit", question.surfaces[k].unit}};
-      for (std::size_t factor = 0; factor < found.factors.size(); ++factor)
-        {
-          Eigen::VectorXd values(static_cast<Eigen::Index>(found.equally_good.size()));
-          for (std::size_t k = 0; k < found.equally_good.size(); ++k)
-            values[k] = found.equally_good[k].constants[factor];
-          json["constants"][found.factors[factor]] = {{"value", found.best().constants[factor]},
-                                                      {"least", values.minCoeff()},
-                                                      {"largest", values.maxCoeff()},
-                                                      {"box", {found.box.lower[factor], found.box.upper[factor]}}};
-        }
-      return json;
-    }
-
     /** Where in its box each constant lies in the answers that are equally good. @return what went wrong, "" if nothing */
     std::string draw_answers(const Inversion &found, const std::filesystem::path &file)
     {
@@ -176,23 +117,61 @@ namespace apps
       return postprocess::plot(file, {panel});
     }
 
-    int invert_surfaces(const InvertOptions &options)
+    int write_inversion(const InvertOptions  &options,
+                        const Inversion      &found,
+                        const nlohmann::json &json,
+                        const std::string    &words)
     {
-      const InversionQuestion question = question_of(options);
-      const Inversion         found    = invert(question);
-      fmt::print("{}", words_of(question, found));
-      if (options.folder.empty())
-        return exit_success;
       ResultFolder folder(options.folder, ResultFolder::Start::afresh);
-      postprocess::write_json(folder.running() / "inversion.json", json_of(question, found));
+      postprocess::write_json(folder.running() / "inversion.json", json);
       warn_of_missing("answers.png", draw_answers(found, folder.running() / "answers.png"));
       postprocess::HtmlPage page("Constants for wanted responses");
-      page.lines(words_of(question, found));
+      page.lines(words);
       page.picture(folder.running() / "answers.png", "How far equally good answers spread");
       postprocess::write_text(folder.running() / "report.html", page.text());
       folder.publish();
       fmt::print("\nwritten to {}: report.html, inversion.json and answers.png\n", options.folder);
       return exit_success;
+    }
+
+    /** Inversion and runs in turn, until these give what was wanted. */
+    int invert_and_run(const InvertOptions &options, const InversionQuestion &question)
+    {
+      if (options.folder.empty())
+        throw base::InputError("command line: --check wants a folder for its runs: -o DIR.");
+      TargetScaling scaling  = options.scaling;
+      scaling.options.folder = options.folder;
+      catch_interrupts();
+      std::string         words;
+      const ScaledTargets scaled = scale_targets(question, scaling, [&](const ScaledRound &round) {
+        words += words_of(question, round);
+        fmt::print("{}\n", words_of(question, round));
+      });
+      if (scaled.interrupted)
+        return exit_interrupted;
+      InversionQuestion last = question;
+      last.targets           = scaled.rounds.back().asked;
+      const Inversion &found = scaled.rounds.back().found;
+      nlohmann::json   json  = json_of(last, found);
+      json["checked"]        = json_of(question, scaled);
+      words                  = words_of(last, found) + words;
+      if (!scaled.within_tolerance)
+        words += fmt::format("warning: after {} rounds the means are not within {:g} % of the targets yet.\n",
+                             scaled.rounds.size(), 100 * scaling.tolerance);
+      fmt::print("{}", words);
+      return write_inversion(options, found, json, words);
+    }
+
+    int invert_surfaces(const InvertOptions &options)
+    {
+      const InversionQuestion question = question_of(options);
+      if (!options.scaling.study.empty())
+        return invert_and_run(options, question);
+      const Inversion found = invert(question);
+      fmt::print("{}", words_of(question, found));
+      if (options.folder.empty())
+        return exit_success;
+      return write_inversion(options, found, json_of(question, found), words_of(question, found));
     }
   } // namespace
 
@@ -230,6 +209,25 @@ namespace apps
       ->check(CLI::Range(0, 1000000000));
     command.add_flag("--over-prediction", question.over_prediction,
                      "Deviations relative to what the surface gives instead of to the target");
+    TargetScaling &scaling = options->scaling;
+    command
+      .add_option("--check", scaling.study,
+                  "Study that runs the constants found, with several packings: where a mean is off its target, the "
+                  "surfaces are asked "
+                  "for as much more or less, in rounds")
+      ->type_name("STUDY.prm");
+    command.add_option("--tolerance", scaling.tolerance, "Of those means, over the targets; default: 0.05")
+      ->type_name("SHARE")
+      ->check(CLI::Range(1e-6, 1.0));
+    command.add_option("--rounds", scaling.most_rounds, "At most; default: 4")
+      ->type_name("N")
+      ->check(CLI::Range(1, 100));
+    command
+      .add_option("--processes", scaling.options.processes,
+                  "Runs at a time; default: as many as there are processors and memory for")
+      ->type_name("N")
+      ->check(CLI::Range(1, 4096));
+    command.add_flag("--restart", scaling.options.restart, "Throw away the runs that are there");
     command.add_option("-o,--output", options->folder, "Folder for inversion.json; default: only words")
       ->type_name("DIR");
     command.callback([options, &chosen] { chosen = [options] { return invert_surfaces(*options); }; });

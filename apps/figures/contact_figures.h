@@ -29,7 +29,9 @@ namespace apps
     bool note(double time, double force);
     /** What casts doubt on the figures: less than four faces of elements touch where the force is largest; "": nothing. */
     std::string doubt() const;
-    /** peak_force, contact_time and first_contact, beside what is known of them. @pre touched() */
+    /** Of figures that put_into() adds. */
+    static std::vector<std::string> names() { return {"peak_force", "contact_time", "first_contact"}; }
+    /** Beside what is known of them. @pre touched() */
     void put_into(nlohmann::json &figures, const ReferencesSection &known) const;
     /** @param between "bodies", say @pre touched() */
     std::string text(const std::string &between) const;

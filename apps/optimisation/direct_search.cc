@@ -110,7 +110,7 @@ namespace optimisation
       }
     fit.place     = sum.best;
     fit.residuals = *evaluated.at(fit.place);
-    if (const auto jacobian = evaluated.jacobian(fit.place))
+    if (const auto jacobian = options.jacobian_at_end ? evaluated.jacobian(fit.place) : std::nullopt)
       fit.jacobian = *jacobian;
     fit.evaluations = evaluated.evaluations();
     fit.failed      = evaluated.failed();

@@ -22,6 +22,8 @@ namespace optimisation
     Eigen::VectorXd within_bounds(const Eigen::VectorXd &place) const;
 
     std::optional<Eigen::VectorXd> at(const Eigen::VectorXd &place);
+    /** Those that at() will be asked for, at the same time. */
+    void prepare(const std::vector<Eigen::VectorXd> &places) { evaluate(places); }
     /** Nothing where a variable can be moved neither up nor down. */
     std::optional<Eigen::MatrixXd> jacobian(const Eigen::VectorXd &place);
     /** Whether the last one was updated, not by differences. */

@@ -102,6 +102,28 @@ namespace optimisation
       return solver;
     }
 
+    /** The solver's own words name its variables and tolerances, which nobody has given. */
+    std::string ending_of(const ceres::Solver::Summary &summary,
+                          const LeastSquaresOptions    &options,
+                          const EvaluatedResiduals     &evaluated)
+    {
+      if (2 * summary.final_cost <= options.smallest_sum)
+        return "the sum of squares is as small as asked for";
+      if (evaluated.evaluations() >= options.most_evaluations)
+        return "as many evaluations as it may take";
+      switch (summary.termination_type)
+        {
+        case ceres::CONVERGENCE:
+          return "a step makes the sum of squares smaller by less than asked for";
+        case ceres::USER_SUCCESS:
+          return "its steps are much shorter than those of the differences";
+        case ceres::NO_CONVERGENCE:
+          return "as many steps as it may take";
+        default:
+          return "places around have no answer";
+        }
+    }
+
     /** Variables on a bound that the sum of squares pushes them against. */
     std::vector<int>
     held_by_bounds(const LeastSquaresProblem &problem, EvaluatedResiduals &evaluated, const Eigen::VectorXd &place)
@@ -147,7 +169,7 @@ namespace optimisation
       ceres::Solver::Summary summary;
       ceres::Solve(solver_options(options, &watch), &model, &summary);
       fit.place     = cost.place(ways.data());
-      fit.ending    = summary.message;
+      fit.ending    = ending_of(summary, options, evaluated);
       fit.converged = summary.termination_type == ceres::CONVERGENCE;
     }
   } // namespace
@@ -185,7 +207,7 @@ namespace optimisation
       }
     evaluated.forget_jacobian();
     fit.residuals = *evaluated.at(fit.place);
-    if (const auto slope = evaluated.jacobian(fit.place))
+    if (const auto slope = options.jacobian_at_end ? evaluated.jacobian(fit.place) : std::nullopt)
       fit.jacobian = *slope;
     fit.evaluations = evaluated.evaluations();
     fit.failed      = evaluated.failed();

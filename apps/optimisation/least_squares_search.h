@@ -27,6 +27,7 @@ namespace optimisation
   {
     bool   central_differences = false; ///< twice the evaluations, for smooth models
     bool   updated_jacobian    = false; ///< Broyden's updates between differences, for costly models
+    bool   jacobian_at_end     = true;  ///< of the fit, by differences
     int    most_evaluations    = 1000;
     double smallest_decrease   = 1e-12; ///< of the sum of squares in one step, over the sum; then it ends
     double smallest_sum        = 0;     ///< of squares; then it ends
@@ -36,7 +37,7 @@ namespace optimisation
   struct LeastSquaresFit
   {
     Eigen::VectorXd place, residuals;
-    Eigen::MatrixXd jacobian; ///< of the residuals, by differences at the place
+    Eigen::MatrixXd jacobian; ///< of the residuals, by differences at the place; empty where it was not asked for
     int             evaluations = 0, failed = 0;
     bool            converged = false;
     std::string     ending; ///< why it ended, a sentence

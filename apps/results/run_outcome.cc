@@ -31,7 +31,7 @@ namespace apps
 
   void RunOutcome::demand_column(const std::string &name) const
   {
-    if (!holds(columns, name))
+    if (!has_column(name))
       throw base::InputError("series.csv has no column " + name + ". " + did_you_mean(name, columns) +
                              fmt::format(" Columns: {}.", fmt::join(columns, ", ")));
   }
@@ -41,6 +41,13 @@ namespace apps
     columns.clear();
     for (const postprocess::SeriesColumn &column : series)
       columns.push_back(column.name);
+  }
+
+  bool RunOutcome::has_column(const std::string &name) const { return holds(columns, name); }
+
+  void RunOutcome::add_figures(const std::vector<std::string> &names)
+  {
+    figures.insert(figures.end(), names.begin(), names.end());
   }
 
   void RunOutcome::add_figures_of_column(const std::string &name)

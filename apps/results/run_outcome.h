@@ -21,6 +21,9 @@ namespace apps
     void demand_column(const std::string &name) const;
 
     void set_columns(const std::vector<postprocess::SeriesColumn> &series);
+    bool has_column(const std::string &name) const;
+
+    void add_figures(const std::vector<std::string> &names);
     /** Those of figure_of() a column: how it ends, its least and its largest value. */
     void add_figures_of_column(const std::string &name);
   };

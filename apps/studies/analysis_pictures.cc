@@ -2,8 +2,8 @@
 #include "apps/statistics/distributions.h"
 #include "apps/studies/analysis_files.h"
 #include "postprocess/files/errors.h"
-#include "postprocess/pictures/gnuplot.h"
 #include "postprocess/files/numeric_text.h"
+#include "postprocess/pictures/gnuplot.h"
 #include "postprocess/pictures/plot.h"
 
 #include <algorithm>
@@ -164,9 +164,12 @@ namespace apps
     std::string contour_panel(const Analysis &analysis, const int right, const int up, const std::string &file)
     {
       using postprocess::gnuplot_quoted;
-      const std::vector<std::string> &names = analysis.surface->polynomial.factors();
+      const auto label = [&analysis](const int factor) {
+        const std::string &unit = analysis.table.factor_units[static_cast<std::size_t>(factor)];
+        return analysis.surface->polynomial.factors()[factor] + (unit.empty() ? "" : " [" + unit + "]");
+      };
       return "set title " + gnuplot_quoted(response_label(analysis) + ", all else at its centre") + " noenhanced\n" +
-             "set xlabel " + gnuplot_quoted(names[right]) + " noenhanced\nset ylabel " + gnuplot_quoted(names[up]) +
+             "set xlabel " + gnuplot_quoted(label(right)) + " noenhanced\nset ylabel " + gnuplot_quoted(label(up)) +
              " noenhanced\nsplot " + gnuplot_quoted(file) + " using 1:2:3 with pm3d notitle, " + gnuplot_quoted(file) +
              " using 1:2:3 with lines lc rgb 'black' nosurface notitle, " + gnuplot_quoted(file) +
              " using 1:2:3 with labels font ',8' nosurface notitle\n";

@@ -1,7 +1,7 @@
 #include "apps/studies/calibration.h"
 
-#include "apps/optimisation/direct_search.h"
 #include "apps/studies/calibration_doubts.h"
+#include "apps/studies/sought_constants.h"
 #include "base/errors.h"
 
 #include <fmt/format.h>
@@ -16,132 +16,10 @@ namespace apps
   {
     constexpr double confidence = 0.95;
 
-    /** The constants that are sought, among all: the others are held. */
-    class SoughtAmongAll
-    {
-    public:
-      SoughtAmongAll(const CalibrationFile &file_, CalibrationRuns &runs_)
-        : file(file_)
-        , runs(runs_)
-        , all(file.constants.size())
-      {
-        for (std::size_t k = 0; k < file.constants.size(); ++k)
-          {
-            all[k] = file.constants[k].start;
-            sought.push_back(static_cast<int>(k));
-          }
-      }
-
-      const std::vector<int> &kept() const { return sought; }
-      const Eigen::VectorXd  &constants() const { return all; }
-      Eigen::VectorXd         ranges() const
-      {
-        Eigen::VectorXd values(all.size());
-        for (Eigen::Index k = 0; k < all.size(); ++k)
-          values[k] = file.constants[k].upper - file.constants[k].lower;
-        return values;
-      }
-
-      void hold_at_start(const std::vector<int> &held)
-      {
-        const std::vector<int> before = sought;
-        std::vector<int>       columns;
-        sought.clear();
-        for (std::size_t k = 0; k < before.size(); ++k)
-          if (std::find(held.begin(), held.end(), before[k]) == held.end())
-            {
-              sought.push_back(before[k]);
-              columns.push_back(static_cast<int>(k));
-            }
-          else
-            all[before[k]] = file.constants[before[k]].start;
-        if (known_jacobian.size() > 0)
-          known_jacobian = Eigen::MatrixXd(known_jacobian(Eigen::all, columns));
-      }
-
-      /** Where another model has its answer, with its derivatives. */
-      void begin_at(const SoughtAmongAll &other)
-      {
-        all            = other.all;
-        known_jacobian = other.known_jacobian;
-      }
-
-      optimisation::LeastSquaresFit fit(const optimisation::LeastSquaresOptions &options)
-      {
-        optimisation::LeastSquaresProblem problem;
-        const auto                        n = static_cast<Eigen::Index>(sought.size());
-        problem.start                       = all(sought);
-        problem.lower                       = Eigen::VectorXd(n);
-        problem.upper                       = Eigen::VectorXd(n);
-        problem.steps                       = file.step * ranges()(sought);
-        for (Eigen::Index k = 0; k < n; ++k)
-          {
-            problem.lower[k] = file.constants[sought[k]].lower;
-            problem.upper[k] = file.constants[sought[k]].upper;
-          }
-        problem.residuals = [this](const std::vector<Eigen::VectorXd> &places) {
-          std::vector<Eigen::VectorXd> sets;
-          for (const Eigen::VectorXd &place : places)
-            {
-              sets.push_back(all);
-              sets.back()(sought) = place;
-            }
-          auto values = runs.predicted(sets);
-          for (auto &own : values)
-            if (own)
-              own = (*own - runs.measured()).cwiseQuotient(runs.scale());
-          return values;
-        };
-        problem.first_jacobian              = known_jacobian;
-        optimisation::LeastSquaresFit found = file.method == SearchMethod::least_squares ?
-                                                optimisation::least_squares(problem, options) :
-                                                optimisation::direct_search(problem, options);
-        all(sought)                         = found.place;
-        known_jacobian                      = found.jacobian;
-        return found;
-      }
-
-      /**
-       * What runs around the answer are off straight lines by, a constant each: r(x + h) - 2 r(x) + r(x - h) has six times the variance of the
-       * noise of one run. Constants too near a bound have none.
-       */
-      Eigen::MatrixXd noise(const optimisation::LeastSquaresFit &fit)
-      {
-        const Eigen::VectorXd        steps = file.step * ranges();
-        std::vector<Eigen::VectorXd> sets;
-        for (const int k : sought)
-          if (all[k] - steps[k] >= file.constants[k].lower && all[k] + steps[k] <= file.constants[k].upper)
-            for (const double way : {1.0, -1.0})
-              {
-                sets.push_back(all);
-                sets.back()[k] += way * steps[k];
-              }
-        const auto      values = runs.predicted(sets);
-        Eigen::MatrixXd found(fit.residuals.size(), 0);
-        for (std::size_t pair = 0; pair + 1 < values.size(); pair += 2)
-          if (values[pair] && values[pair + 1])
-            {
-              found.conservativeResize(Eigen::NoChange, found.cols() + 1);
-              found.rightCols(1) =
-                ((*values[pair] + *values[pair + 1] - 2 * runs.measured()).cwiseQuotient(runs.scale()) -
-                 2 * fit.residuals) /
-                std::sqrt(6.0);
-            }
-        return found;
-      }
-
-    private:
-      const CalibrationFile &file;
-      CalibrationRuns       &runs;
-      Eigen::VectorXd        all;
-      std::vector<int>       sought;
-      Eigen::MatrixXd        known_jacobian; ///< where the last search ended; empty: there was none
-    };
-
     bool scatter_is_known(const CalibrationFile &file) { return file.targets.front().deviation > 0; }
 
     /** Of those that are sought: numbers among these. */
-    std::vector<int> on_bounds(const CalibrationFile &file, const SoughtAmongAll &problem)
+    std::vector<int> on_bounds(const CalibrationFile &file, const SoughtConstants &problem)
     {
       std::vector<int> held;
       for (std::size_t k = 0; k < problem.kept().size(); ++k)
@@ -154,20 +32,45 @@ namespace apps
       return held;
     }
 
-    /** Nothing where there are as many targets as constants. */
-    std::optional<statistics::Uncertainty>
-    uncertainty_of(const CalibrationFile &file, SoughtAmongAll &problem, const optimisation::LeastSquaresFit &fit)
+    /** Over the range of a constant: of differences that the noise of breaking specimens hardly touches. */
+    double wide_step(const CalibrationFile &file) { return std::max(file.step, 0.06); }
+
+    /** There are none where as many targets as constants have no standard deviations. */
+    bool
+    has_errors(const CalibrationFile &file, const SoughtConstants &problem, const optimisation::LeastSquaresFit &fit)
     {
-      const std::vector<int> held = on_bounds(file, problem);
-      const Eigen::Index     free = fit.place.size() - static_cast<Eigen::Index>(held.size());
-      if (fit.jacobian.size() == 0 || (!scatter_is_known(file) && fit.residuals.size() <= free))
+      const auto held = static_cast<Eigen::Index>(on_bounds(file, problem).size());
+      return scatter_is_known(file) || fit.residuals.size() > fit.place.size() - held;
+    }
+
+    optimisation::ModelAtEnd end_of(const CalibrationFile                   &file,
+                                    SoughtConstants                         &problem,
+                                    const optimisation::LeastSquaresOptions &options,
+                                    const optimisation::LeastSquaresFit     &fit)
+    {
+      optimisation::NoiseOptions noise;
+      noise.search     = has_errors(file, problem, fit) ? file.model_noise : optimisation::NoiseSearch::never;
+      noise.wide_steps = wide_step(file) * problem.ranges()(problem.kept());
+      noise.deviation  = scatter_is_known(file) ? 1.0 : 0.0;
+      return problem.at_end(options, fit, noise);
+    }
+
+    /** Nothing where there are no errors, or no derivatives. */
+    std::optional<statistics::Uncertainty> uncertainty_of(const CalibrationFile               &file,
+                                                          const SoughtConstants               &problem,
+                                                          const optimisation::LeastSquaresFit &fit,
+                                                          const optimisation::ModelAtEnd      &end)
+    {
+      if (end.jacobian.size() == 0 || !has_errors(file, problem, fit))
         return std::nullopt;
       statistics::UncertaintyOptions options;
-      options.held          = held;
-      options.known_scatter = scatter_is_known(file) ? 1.0 : 0.0;
-      if (file.model_noise)
-        options.model_noise = problem.noise(fit);
-      return statistics::uncertainty(fit.jacobian, fit.residuals, problem.ranges()(problem.kept()), options);
+      options.held           = on_bounds(file, problem);
+      options.known_scatter  = scatter_is_known(file) ? 1.0 : 0.0;
+      options.model_noise    = end.noise;
+      options.noise_degrees  = end.noise_degrees;
+      options.noise_share    = end.share;
+      options.jacobian_noise = end.of_column / (wide_step(file) * wide_step(file));
+      return statistics::uncertainty(end.jacobian, end.residuals, problem.ranges()(problem.kept()), options);
     }
 
     /** Half of its band of 95 %, over its range: above one the bounds say as much as the targets do. */
@@ -179,7 +82,7 @@ namespace apps
 
     /** Among all: those without an error, but for those on a bound; otherwise that whose band most exceeds its bounds, if one does. */
     std::vector<int> undetermined_of(const CalibrationFile                        &file,
-                                     const SoughtAmongAll                         &problem,
+                                     const SoughtConstants                        &problem,
                                      const std::optional<statistics::Uncertainty> &sure)
     {
       std::vector<int>       fresh;
@@ -207,9 +110,9 @@ namespace apps
     }
 
     void put_uncertainty(const CalibrationFile                        &file,
-                         const SoughtAmongAll                         &problem,
+                         const SoughtConstants                        &problem,
                          const std::optional<statistics::Uncertainty> &sure,
-                         const optimisation::LeastSquaresFit          &fit,
+                         const optimisation::ModelAtEnd               &end,
                          Calibration                                  &found)
     {
       if (!sure)
@@ -232,8 +135,8 @@ namespace apps
           for (std::size_t other = 0; other < problem.kept().size(); ++other)
             found.correlation(own, problem.kept()[other]) = sure->correlation(k, other);
         }
-      for (Eigen::Index k = 0; k < fit.residuals.size(); ++k)
-        found.half_widths[k] = sure->half_width_of(fit.jacobian.row(k).transpose(), confidence);
+      for (Eigen::Index k = 0; k < end.residuals.size(); ++k)
+        found.half_widths[k] = sure->half_width_of(end.jacobian.row(k).transpose(), confidence);
     }
 
     void warn(const CalibrationFile &file, const std::vector<int> &undetermined, Calibration &found)
@@ -248,6 +151,11 @@ namespace apps
         else if (!found.determined[k] && !std::isnan(found.standard_errors[k]))
           found.warnings.push_back("The targets say next to nothing of " + file.constants[k].name +
                                    ": its band of 95 % is as wide as its bounds.");
+      if (found.noisy)
+        found.warnings.push_back(fmt::format(
+          "Runs scatter between neighbouring constants by {:.2g} of what they are off the targets by chance: "
+          "bars and bands contain that, and the answer is where many runs together have it.",
+          found.noise));
       if (found.failed > 0)
         found.warnings.push_back(fmt::format("{} sets of constants had no answer.", found.failed));
     }
@@ -273,6 +181,7 @@ namespace apps
     {
       optimisation::LeastSquaresOptions options;
       options.central_differences = file.central_differences;
+      options.jacobian_at_end     = false; // that is asked for where it is known how rough the model is
       options.updated_jacobian    = file.updated_jacobian;
       options.most_evaluations    = static_cast<int>(file.most_runs);
       options.smallest_decrease   = file.smallest_decrease;
@@ -287,23 +196,27 @@ namespace apps
   {
     const double                            targets = runs.measured().cwiseQuotient(runs.scale()).squaredNorm();
     const optimisation::LeastSquaresOptions options = options_of(file, runs, targets);
-    SoughtAmongAll                          problem(file, runs);
+    SoughtConstants                         problem(file, runs);
     Calibration                             found;
     if (cheap)
       {
-        SoughtAmongAll before(file, *cheap);
-        found.cheap_evaluations = before.fit(options).evaluations;
+        SoughtConstants before(file, *cheap);
+        const auto      there   = before.fit(options);
+        const auto      end     = before.at_end(options, there, {optimisation::NoiseSearch::never, {}});
+        found.cheap_evaluations = there.evaluations + end.evaluations;
         problem.begin_at(before);
       }
     std::vector<int>                       undetermined;
     optimisation::LeastSquaresFit          fit;
+    optimisation::ModelAtEnd               end;
     std::optional<statistics::Uncertainty> sure;
     while (true)
       {
         fit = problem.fit(options);
-        found.evaluations += fit.evaluations;
-        found.failed += fit.failed;
-        sure                         = uncertainty_of(file, problem, fit);
+        end = end_of(file, problem, options, fit);
+        found.evaluations += fit.evaluations + end.evaluations;
+        found.failed += fit.failed + end.failed;
+        sure                         = uncertainty_of(file, problem, fit, end);
         const std::vector<int> fresh = undetermined_of(file, problem, sure);
         if (fresh.empty() || fresh.size() == problem.kept().size())
           break;
@@ -316,11 +229,13 @@ namespace apps
     found.standard_errors = found.lower = found.upper = Eigen::VectorXd::Constant(n, nan);
     found.determined.assign(static_cast<std::size_t>(n), false);
     found.correlation  = Eigen::MatrixXd::Identity(n, n);
-    found.predicted    = runs.measured() + fit.residuals.cwiseProduct(runs.scale());
-    found.half_widths  = Eigen::VectorXd::Constant(fit.residuals.size(), nan);
-    found.relative_sum = fit.sum_of_squares() / targets;
+    found.predicted    = runs.measured() + end.residuals.cwiseProduct(runs.scale());
+    found.half_widths  = Eigen::VectorXd::Constant(end.residuals.size(), nan);
+    found.relative_sum = end.residuals.squaredNorm() / targets;
+    found.noise        = end.largest_noise;
+    found.noisy        = end.noise.cols() > 0;
     found.ending       = fit.ending;
-    put_uncertainty(file, problem, sure, fit, found);
+    put_uncertainty(file, problem, sure, end, found);
     found.half_widths = found.half_widths.cwiseProduct(runs.scale());
     warn(file, undetermined, found);
     for (const std::string &doubt : doubts_of(file, runs))

@@ -25,11 +25,9 @@ namespace apps
                           " ends at its peak: of a strength it says only that it is not less, and errors of constants "
                           "that decide it are larger than their bars. Give the strength as a figure beside it.");
       }
-    if (curves && !file.model_noise)
-      found.push_back(
-        "Bars take runs for smooth in the constants. Where links break they scatter, and bars are several "
-        "times too narrow: Search/Model noise, with Step = 0.06 and Central differences, widens them by "
-        "that scatter.");
+    if (curves && file.model_noise == optimisation::NoiseSearch::never)
+      found.push_back("Bars take runs for smooth in the constants, as Search/Model noise = false says. Where links "
+                      "break they scatter, and bars are several times too narrow; \"automatic\" finds that out.");
     return found;
   }
 } // namespace apps

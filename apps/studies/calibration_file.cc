@@ -27,8 +27,15 @@ namespace apps
         .means("Twice the runs for a derivative, for smooth models");
       section.flag("Updated derivatives", calibration.updated_jacobian)
         .means("Derivatives are updated from step to step as long as that succeeds, which saves runs");
-      section.flag("Model noise", calibration.model_noise)
-        .means("Around the answer a run more for each constant: what they are off a straight line by widens the bands");
+      section
+        .choice("Model noise", calibration.model_noise,
+                {{"automatic", optimisation::NoiseSearch::where_it_matters},
+                 {"true", optimisation::NoiseSearch::always},
+                 {"false", optimisation::NoiseSearch::never}},
+                Need::optional)
+        .means("Runs scatter where links break: four runs on a line through the answer show whether that matters "
+               "(automatic). Where it "
+               "does, or with true, wide central differences and more such lines put the answer and its bands right");
       section.integer("Most evaluations", calibration.most_runs, "", Range::between(2, 1000000), Need::optional)
         .means("Sets of constants that are run before it gives up");
       section.number("Smallest sum", calibration.smallest_relative_sum, "-", Range::between(0, 1), Need::optional)

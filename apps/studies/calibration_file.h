@@ -1,5 +1,6 @@
 #pragma once
 
+#include "apps/optimisation/model_noise.h"
 #include "apps/scene/section.h"
 
 #include <deque>
@@ -59,8 +60,9 @@ namespace apps
     std::string                   kind, base_scene, output_folder;
     std::int64_t                  threads_per_run = 1, most_runs = 200;
     double                        step = 0.03, smallest_relative_sum = 0, smallest_decrease = 0.01;
-    bool                          central_differences = false, updated_jacobian = true, model_noise = false;
-    SearchMethod                  method = SearchMethod::least_squares;
+    bool                          central_differences = false, updated_jacobian = true;
+    optimisation::NoiseSearch     model_noise = optimisation::NoiseSearch::where_it_matters;
+    SearchMethod                  method      = SearchMethod::least_squares;
     CheapModel                    cheap;
     PosteriorRequest              posterior;
     std::string                   seed_entry, seeds_text;

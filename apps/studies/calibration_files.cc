@@ -84,6 +84,7 @@ namespace apps
                            {"evaluations", found.evaluations},
                            {"failed", found.failed},
                            {"ending", found.ending},
+                           {"model_noise", {{"over_deviation", found.noise}, {"matters", found.noisy}}},
                            {"warnings", found.warnings}};
     if (file.cheap.exists())
       json["cheap_evaluations"] = found.cheap_evaluations;

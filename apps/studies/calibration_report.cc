@@ -41,8 +41,8 @@ namespace apps
       const std::vector<double> x(places.begin(), places.end());
       postprocess::PlotPanel    panel;
       panel.title                = file.targets[target].name;
-      panel.x_label              = file.targets[target].abscissa;
-      panel.y_label              = file.targets[target].ordinate;
+      panel.x_label              = runs.labels_of(target).first;
+      panel.y_label              = runs.labels_of(target).second;
       panel.series               = {line_of("measured", x, runs.measured().segment(begin, count)),
                                     line_of("calibrated", x, predicted)};
       panel.series.front().style = PlotSeries::Style::points;

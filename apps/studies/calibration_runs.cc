@@ -27,14 +27,6 @@ namespace apps
   {
     namespace fs = std::filesystem;
 
-    /** @throws base::InputError for a name that the run does not have */
-    Figure figure_in(const fs::path &run, const CalibrationTarget &target)
-    {
-      RunResult result;
-      result.summary = nlohmann::json::parse(postprocess::numeric_text::read_whole(run / "summary.json"));
-      return result.figure(target.figure);
-    }
-
     CurveColumns curve_columns_of(const CalibrationTarget &target)
     {
       return {target.abscissa, target.ordinate, target.test};
@@ -52,14 +44,6 @@ namespace apps
             changes.push_back(change);
         }
       return changes;
-    }
-
-    /** What a residual is divided by: the standard deviation, or what makes targets of one weight count alike. */
-    double scale_of_target(const CalibrationTarget &target, const Eigen::VectorXd &measured)
-    {
-      if (target.deviation > 0)
-        return target.deviation;
-      return measured.cwiseAbs().maxCoeff() * std::sqrt(static_cast<double>(measured.size()) / target.weight);
     }
   } // namespace
 
@@ -139,59 +123,11 @@ namespace apps
     return entry + "=" + text + (named ? " " + unit->second : "");
   }
 
-  /** What was measured, from tables, values and runs of reference scenes. */
-  void CalibrationRuns::take_measured()
+  Figure CalibrationRuns::figure_of_run(const fs::path &run, const CalibrationTarget &target)
   {
-    std::vector<double> values, abscissae, scales;
-    begins = {0};
-    for (const CalibrationTarget &target : calibration.targets)
-      {
-        Eigen::VectorXd x = Eigen::VectorXd::Constant(1, std::numeric_limits<double>::quiet_NaN());
-        Eigen::VectorXd y = Eigen::VectorXd::Constant(1, target.value);
-        const fs::path  reference =
-          target.reference.empty() ? fs::path() : folder_of(job_of(target.reference, std::vector<std::string>()));
-        if (target.is_curve())
-          {
-            const CurveColumns columns =
-              target.reference.empty() ?
-                CurveColumns{target.abscissa, target.ordinate, ""} :
-                CurveColumns{target.reference_abscissa, target.reference_ordinate, target.reference_test};
-            const auto table = postprocess::read_csv_table(
-              target.reference.empty() ? fs::path(target.curve) : reference / "series.csv", true, {"test"});
-            x = abscissae_of(table, columns);
-            y = ordinates_at(x, table, columns);
-          }
-        else if (!reference.empty())
-          y[0] = figure_in(reference, target).value.value_or(std::numeric_limits<double>::quiet_NaN());
-        if (!y.allFinite())
-          throw base::InputError(calibration.file + ": target " + target.name + ": the run of " + target.reference +
-                                 " has no such figure.");
-        abscissae.insert(abscissae.end(), x.begin(), x.end());
-        values.insert(values.end(), y.begin(), y.end());
-        scales.insert(scales.end(), static_cast<std::size_t>(y.size()), scale_of_target(target, y));
-        begins.push_back(static_cast<Eigen::Index>(values.size()));
-      }
-    const auto n = static_cast<Eigen::Index>(values.size());
-    observed     = Eigen::Map<const Eigen::VectorXd>(values.data(), n);
-    places       = Eigen::Map<const Eigen::VectorXd>(abscissae.data(), n);
-    deviations   = Eigen::Map<const Eigen::VectorXd>(scales.data(), n);
-  }
-
-  void CalibrationRuns::measure()
-  {
-    std::vector<Job> jobs, fresh;
-    for (const CalibrationTarget &target : calibration.targets)
-      if (!target.reference.empty())
-        jobs.push_back(job_of(target.reference, std::vector<std::string>()));
-    for (const Job &job : jobs)
-      if (!message_of(job) &&
-          std::none_of(fresh.begin(), fresh.end(), [&job](const Job &other) { return other.key == job.key; }))
-        fresh.push_back(job);
-    work_off(fresh);
-    for (const Job &job : jobs)
-      if (const std::string problem = *message_of(job); !problem.empty())
-        throw base::InputError(calibration.file + ": what is measured in " + job.scene + " is not known: " + problem);
-    take_measured();
+    RunResult result;
+    result.summary = nlohmann::json::parse(postprocess::numeric_text::read_whole(run / "summary.json"));
+    return result.figure(target.figure);
   }
 
   std::string CalibrationRuns::scene_of(const CalibrationTarget &target) const
@@ -285,7 +221,7 @@ namespace apps
                             postprocess::read_csv_table(folder_of(job) / "series.csv", true, {"test"}),
                             curve_columns_of(target));
       }
-    const Figure figure = figure_in(folder_of(job), target);
+    const Figure figure = figure_of_run(folder_of(job), target);
     return figure.value ? Eigen::VectorXd(Eigen::VectorXd::Constant(1, target.ordinate_factor * *figure.value)) :
                           Eigen::VectorXd();
   }

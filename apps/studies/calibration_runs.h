@@ -1,5 +1,6 @@
 #pragma once
 
+#include "apps/results/run_result.h"
 #include "apps/scene/scene.h"
 #include "apps/studies/calibration_file.h"
 #include "apps/studies/run_study.h"
@@ -46,6 +47,8 @@ namespace apps
     const Eigen::VectorXd &abscissae() const { return places; } ///< NaN of figures
     const Eigen::VectorXd &scale() const { return deviations; } ///< residuals are (predicted - measured) / scale
     Eigen::Index           first_of(std::size_t target) const { return begins[target]; }
+    /** Abscissa and ordinate of a curve, "strain [-]", with the units that the table of what was measured names. */
+    const std::pair<std::string, std::string> &labels_of(std::size_t target) const { return labels[target]; }
 
     /**
      * Of each set of constants; nothing where a run failed or has no such figure. Runs that the folder holds already are not repeated.
@@ -83,7 +86,9 @@ namespace apps
     Eigen::VectorXd  at_start() const;
     Job              job_of(const std::string &scene, const Eigen::VectorXd &constants, const std::string &seed) const;
     std::vector<Job> jobs_of(const Eigen::VectorXd &constants) const;
-    std::optional<std::string>     message_of(const Job &job) const; ///< nothing: it was not run; "": it succeeded
+    std::optional<std::string> message_of(const Job &job) const; ///< nothing: it was not run; "": it succeeded
+    /** @throws base::InputError for a name that the run does not have */
+    static Figure                  figure_of_run(const std::filesystem::path &run, const CalibrationTarget &target);
     Eigen::VectorXd                values_of(const Job &job, std::size_t target) const;
     void                           work_off(const std::vector<Job> &jobs);
     std::optional<Eigen::VectorXd> mean_of(const Eigen::VectorXd &constants) const;
@@ -97,6 +102,7 @@ namespace apps
     Fidelity                                                   fidelity;
     std::vector<std::string>                                   scenes, seeds, changes;
     std::vector<Eigen::Index>                                  begins; ///< of each target, and the end
+    std::vector<std::pair<std::string, std::string>>           labels; ///< of each target
     Eigen::VectorXd                                            observed, places, deviations;
     std::map<std::pair<std::string, std::string>, std::string> units; ///< of entries, by scene and path
     int                                                        made = 0;

@@ -96,6 +96,13 @@ namespace apps
       return rows;
     }
 
+    /** In brackets of the head, or at the end of the name. */
+    std::string unit_of(const postprocess::CsvTable &table, const std::string &column)
+    {
+      const std::string in_head = table.units[place_of(table, column)];
+      return in_head.empty() ? column_title(column).unit : in_head;
+    }
+
     Eigen::VectorXd picked(const std::vector<double> &column, const std::vector<int> &rows)
     {
       return Eigen::Map<const Eigen::VectorXd>(column.data(), column.size())(rows);
@@ -132,13 +139,15 @@ namespace apps
 
     TableSelection selection;
     selection.file              = file;
-    const std::string in_head   = table.units[place_of(table, target)];
     selection.response          = column_title(target).name;
-    selection.response_unit     = in_head.empty() ? column_title(target).unit : in_head;
+    selection.response_unit     = unit_of(table, target);
     const std::vector<int> rows = rows_with_response(selection, table, asked, table.column(target));
     selection.values            = picked(table.column(target), rows);
     for (const std::string &factor : asked)
-      selection.factors.push_back({column_title(factor).name, picked(table.column(factor), rows)});
+      {
+        selection.factors.push_back({column_title(factor).name, picked(table.column(factor), rows)});
+        selection.factor_units.push_back(unit_of(table, factor));
+      }
     std::map<std::string, int> first;
     for (std::size_t k = 0; k < rows.size(); ++k)
       if (const auto [found, is_new] = first.emplace(whole_row(table, rows[k]), static_cast<int>(k)); !is_new)

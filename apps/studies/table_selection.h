@@ -12,7 +12,8 @@ namespace apps
   struct TableSelection
   {
     std::filesystem::path           file;
-    std::vector<statistics::Factor> factors; ///< names without unit
+    std::vector<statistics::Factor> factors;      ///< names without unit
+    std::vector<std::string>        factor_units; ///< of each, "" where the table names none
     std::string                     response, response_unit;
     Eigen::VectorXd                 values; ///< of the response
     std::vector<std::string>        runs;   ///< as the column `run` has them, or lines from 1

@@ -230,28 +230,6 @@ TEST_CASE("the folder of another study is refused", "[apps][slow]")
   CHECK(study(folder, {"-o", "out", "--part", "3/2"}).status == 2);
 }
 
-TEST_CASE("what a run finds is among the names that are known before it", "[apps][slow]")
-{
-  const auto [file, changes]       = GENERATE(table<std::string, std::vector<std::string>>(
-    {{"quick_uniaxial.prm", {"Specimen/Box size=0.02, 0.02, 0.03", "Loading/Compression/Stop strain=1e-3"}},
-           {"quick_uniaxial.prm", {"Loading/Tests=compression", "Loading/Compression/Stop strain=3e-4"}},
-           {"quasi_static.prm", {"Loading/Tests=tension", "Loading/Tension/Stop strain=5e-5"}},
-           {"studies/mortar_quarter.prm", {"Specimen/Genesis/Size=0.01, 0.02, 0"}},
-           {"studies/law_cyclic_cell.prm", {"Specimen/Generator/Cell particles=100", "Loading/Leg 3/Duration=1e-4"}},
-           {"bouncing_sphere.prm", {}}}));
-  const apps::CheckedScene scene   = apps::read_scene(places::sources() + "/apps/scenes/" + file, changes);
-  apps::RunRequest         request = apps::request_of(scene);
-  request.output_folder.clear();
-  const std::optional<apps::RunOutcome> known = scene.scene->outcome();
-  INFO(file);
-  REQUIRE(known);
-  const apps::RunResult found = scene.scene->run(request);
-  CHECK(found.series.names == known->columns);
-  CHECK(found.figures().size() > 3);
-  for (const std::string &name : found.figures())
-    CHECK_NOTHROW(known->demand_figure(name));
-}
-
 TEST_CASE("responses of a study can be read from curves, and a column that no run has is refused by name",
           "[apps][slow]")
 {

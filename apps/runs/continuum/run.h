@@ -74,6 +74,8 @@ namespace apps
     const ContinuumAnalysis<dim> &computation() const { return *analysis; }
 
     std::vector<postprocess::SeriesColumn> series_columns() const override;
+    /** Those of them that are read from the solid. */
+    std::vector<ProbeColumn> probe_columns() const { return probes->columns(); }
 
   private:
     void        prepare() override {}                             ///< the constructor has refused what is to be refused

@@ -10,6 +10,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <tuple>
+
 namespace apps
 {
   namespace
@@ -27,6 +29,28 @@ namespace apps
         return sample_figure(constants_of(answers, way, constant));
       }
     };
+
+    /** Means over packings, of each case in each way. */
+    nlohmann::json figures_of(const std::vector<SweepPoint> &points)
+    {
+      nlohmann::json cases = nlohmann::json::array();
+      for (const SweepPoint &p : points)
+        {
+          nlohmann::json &own = cases.emplace_back();
+          for (const HomogenisationWay &way : homogenisation_ways)
+            for (const auto &[name, constant, unit] : {std::tuple("young_modulus", &dem::ElasticConstants::young, "Pa"),
+                                                       {"poisson_ratio", &dem::ElasticConstants::poisson, "-"}})
+              {
+                const auto sample   = p.figure(way.found, constant);
+                own[way.name][name] = {{"value", nullptr}, {"unit", unit}};
+                if (sample)
+                  own[way.name][name]["value"] = sample->mean;
+                else
+                  own[way.name][name]["not_determined"] = "the cell does not resist every strain";
+              }
+        }
+      return {{"cases", cases}};
+    }
 
     std::string csv_of(const std::vector<SweepPoint> &points)
     {
@@ -139,6 +163,7 @@ namespace apps
           points.push_back(std::move(point));
         }
 
+    json["figures"] = figures_of(points);
     return run.complete(std::move(json), [&](const std::filesystem::path &folder) {
       postprocess::write_text(folder / "homogenised.csv", csv_of(points));
       warn_of_missing("homogenised.png",

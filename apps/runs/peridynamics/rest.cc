@@ -78,10 +78,10 @@ namespace apps
     const std::optional<double> factor_of_break = body.bonds.breaks() ? first.factor() : std::nullopt;
     if (!factor_of_break)
       figures["first_break"] = {
-        {"not_determined", body.bonds.breaks() ? "no bond is stretched at rest" : "bonds never break"}, {"unit", "Pa"}};
+        {"value", nullptr}, {"not_determined", body.bonds.breaks() ? "no bond is stretched at rest" : "bonds never break"}, {"unit", "Pa"}};
     else if (body.loads.first_traction == 0)
       figures["first_break"] = {
-        {"not_determined", "there is no traction"}, {"unit", "Pa"}, {"load_factor", *factor_of_break}};
+        {"value", nullptr}, {"not_determined", "there is no traction"}, {"unit", "Pa"}, {"load_factor", *factor_of_break}};
     else
       figures["first_break"] = {
         {"value", *factor_of_break * body.loads.first_traction}, {"unit", "Pa"}, {"load_factor", *factor_of_break}};
@@ -89,7 +89,7 @@ namespace apps
       figures["broken_through"] = {
         {"value", factor() * body.loads.first_traction}, {"unit", "Pa"}, {"load_factor", factor()}};
     else
-      figures["broken_through"] = {{"not_determined", "the body holds"}, {"unit", "Pa"}};
+      figures["broken_through"] = {{"value", nullptr}, {"not_determined", "the body holds"}, {"unit", "Pa"}};
     figures["load_factor"] = quantity(factor(), "-");
     figures["states"]      = states;
   }

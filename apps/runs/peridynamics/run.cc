@@ -155,11 +155,11 @@ namespace apps
 
     std::string words;
     if (const auto found = figures.find("first_break"); found != figures.end())
-      words += found->contains("value") ?
+      words += !found->at("value").is_null() ?
                  fmt::format("first break  at {:.5g} Pa, load factor {:.5g}\n", (*found)["value"].get<double>(),
                              (*found)["load_factor"].get<double>()) :
                  fmt::format("first break  not determined: {}\n", (*found)["not_determined"].get<std::string>());
-    if (const auto found = figures.find("broken_through"); found != figures.end() && found->contains("value"))
+    if (const auto found = figures.find("broken_through"); found != figures.end() && !found->at("value").is_null())
       words += fmt::format("broken       through at {:.5g} Pa\n", (*found)["value"].get<double>());
     words +=
       fmt::format("displacement {:.5g} m at most, {} of {} bonds broken, damage {:.4f} at most\n",

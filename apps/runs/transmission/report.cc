@@ -1,5 +1,7 @@
 #include "apps/runs/transmission/report.h"
 
+#include "apps/figures/summary_head.h"
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -36,6 +38,17 @@ namespace apps
                      {"particles", p.answer.particles}});
     return all;
   }
+
+  nlohmann::json figures_of_waves(const std::vector<WavePoint> &points)
+  {
+    nlohmann::json all = nlohmann::json::array();
+    for (const WavePoint &p : points)
+      all.push_back({{"reflected", quantity(p.answer.reflected, "-")},
+                     {"transmitted", quantity(p.answer.transmitted, "-")},
+                     {"absorbed", quantity(p.answer.absorbed, "-")}});
+    return {{"waves", all}};
+  }
+
   std::vector<postprocess::PlotPanel> wave_panels(const std::vector<WavePoint> &points,
                                                   const coupling::WaveCase     &common)
   {

@@ -30,6 +30,7 @@ namespace apps
     nlohmann::json json;
     json["made_by"] = "breccia " + version();
     json["waves"]   = json_of_waves(points);
+    json["figures"] = figures_of_waves(points);
 
     return run.complete(std::move(json), [&](const std::filesystem::path &folder) {
       postprocess::write_text(folder / "reflection.csv", csv_of_waves(points));

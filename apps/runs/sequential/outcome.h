@@ -1,0 +1,10 @@
+#pragma once
+
+#include "apps/results/run_outcome.h"
+#include "apps/runs/sequential/model.h"
+
+namespace apps
+{
+  /** What a run of a checked model can find. */
+  RunOutcome outcome(const SequentialModel &model);
+} // namespace apps

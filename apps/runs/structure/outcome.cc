@@ -1,0 +1,22 @@
+#include "apps/runs/structure/outcome.h"
+
+#include "apps/process/mpi_session.h"
+#include "apps/runs/structure/promotion.h"
+
+namespace apps
+{
+  RunOutcome outcome(const StructureModel &model)
+  {
+    start_mpi();
+    std::optional<dem::Packing> cell;
+    const dem::Packing          packing = model.packing(&cell);
+    const ParticleMedia         media   = model.media(cell);
+    const Promotion             made(model, packing, media); // refuses what a run would refuse
+    RunOutcome                  found;
+    found.set_columns(made.structure().columns());
+    for (const postprocess::SeriesColumn &column : made.structure().told())
+      found.add_figures_of_column(column.name);
+    found.add_figures({"crack/links", "crack/cracked", "crack/area", "load_factor"});
+    return found;
+  }
+} // namespace apps

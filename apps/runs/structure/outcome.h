@@ -1,0 +1,10 @@
+#pragma once
+
+#include "apps/results/run_outcome.h"
+#include "apps/runs/structure/model.h"
+
+namespace apps
+{
+  /** What a run of a checked model can find. @throws base::InputError as a run */
+  RunOutcome outcome(const StructureModel &model);
+} // namespace apps
