@@ -2,6 +2,7 @@
 #include "apps/commands/scene_options.h"
 #include "apps/process/exit_status.h"
 #include "apps/process/interrupt.h"
+#include "apps/results/run_report.h"
 #include "apps/results/run_result.h"
 #include "apps/results/terminal.h"
 #include "apps/scene/kinds/read_scene.h"
@@ -34,9 +35,12 @@ namespace apps
       request.resume     = options.resume;
       request.restart    = options.restart;
       request.overrides  = options.overrides;
-      Terminal terminal;
-      request.observers = {&terminal};
-      int status        = exit_success;
+      RunReport report(request);
+      Terminal  terminal;
+      if (scene.report)
+        request.observers.push_back(&report);
+      request.observers.push_back(&terminal); // lists what the folder holds
+      int status = exit_success;
       with_places(*scene.root, [&] { status = scene.scene->run(request).exit_status(); });
       return status;
     }

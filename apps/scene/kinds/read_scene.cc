@@ -69,6 +69,12 @@ namespace apps
         .means("Where the results go (option -o), from the current folder")
         .housekeeping();
       read.scene->declare(*read.root);
+      Section *const output = read.root->find_section("Output");
+      (output ? *output : read.root->section("Output", "What is written"))
+        .flag("Report", read.report)
+        .means("A page of the results for a browser, report.html, with the scene and the files that it names in it: "
+               "breccia run report.html gives the same bits again")
+        .housekeeping();
     }
 
     /** The kinds, but for this one, that have a section of this name. */
