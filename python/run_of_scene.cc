@@ -1,6 +1,7 @@
 #include "python/run_of_scene.h"
 
 #include "apps/results/run_observer.h"
+#include "apps/results/run_report.h"
 #include "apps/scene/kinds/read_scene.h"
 #include "apps/scene/reader.h"
 #include "base/errors.h"
@@ -94,8 +95,11 @@ namespace python
 
     RowsToPython    rows(choice.on_sample);
     SignalsOfPython signals;
+    apps::RunReport report(request);
     if (!choice.on_sample.is_none())
-      request.observers = {&rows};
+      request.observers.push_back(&rows);
+    if (scene.report)
+      request.observers.push_back(&report);
     request.stop = [&] { return rows.stops || rows.interrupted || signals.raised(); };
 
     auto result = std::make_shared<apps::RunResult>();

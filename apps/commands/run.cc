@@ -3,6 +3,7 @@
 #include "apps/process/exit_status.h"
 #include "apps/process/interrupt.h"
 #include "apps/process/mpi_session.h"
+#include "apps/results/run_report.h"
 #include "apps/results/run_result.h"
 #include "apps/results/terminal.h"
 #include "apps/scene/kinds/read_scene.h"
@@ -46,9 +47,12 @@ namespace apps
         return run_replicates(
           scene, request,
           {scene.output_folder, options.overrides, omp_get_max_threads(), options.restart, !packing_cache_folder()});
-      Terminal terminal;
-      request.observers = {&terminal};
-      int status        = exit_success;
+      RunReport report(request);
+      Terminal  terminal;
+      if (scene.report)
+        request.observers.push_back(&report);
+      request.observers.push_back(&terminal); // lists what the folder holds
+      int status = exit_success;
       with_places(*scene.root, [&] { status = scene.scene->run(request).exit_status(); });
       return status;
     }

@@ -1,6 +1,7 @@
 #include "apps/commands/command.h"
 #include "apps/commands/scene_options.h"
 #include "apps/process/interrupt.h"
+#include "apps/results/run_report.h"
 #include "apps/results/run_result.h"
 #include "apps/results/terminal.h"
 #include "apps/runs/sequential/run.h"
@@ -42,9 +43,12 @@ namespace apps
       request.restart    = options.restart;
       request.command    = options.identify ? "transfer --identify" : "transfer";
       request.overrides  = options.overrides;
-      Terminal terminal;
-      request.observers = {&terminal};
-      int status        = 0;
+      RunReport report(request);
+      Terminal  terminal;
+      if (scene.report)
+        request.observers.push_back(&report);
+      request.observers.push_back(&terminal); // lists what the folder holds
+      int status = 0;
       with_places(*scene.root, [&] {
         const SequentialModel &model = sequential->model();
         status = (options.identify ? apps::identify(model, request) : transfer_only(model, request)).exit_status();

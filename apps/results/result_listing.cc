@@ -39,7 +39,7 @@ namespace apps
   {
     const std::string collections = names_with(folder, {".pvd"});
     std::string       text =
-      fmt::format("results      {}: {}\n", folder.string(), names_with(folder, {".json", ".csv", ".png"}));
+      fmt::format("results      {}: {}\n", folder.string(), names_with(folder, {".html", ".json", ".csv", ".png"}));
     if (!collections.empty())
       text += fmt::format("in ParaView  {}; all of it by the macro postprocess/paraview/view_run.py\n", collections);
     return text;

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cctype>
 #include <filesystem>
 #include <optional>
 
@@ -48,6 +49,31 @@ namespace apps
                   (subsection->condition().empty() ? "" : "; only if " + subsection->condition()) + "\n";
           describe_in_prm(*subsection, nullptr, depth + 1, text);
           text += margin(depth) + "end\n";
+        }
+    }
+
+    /** "MATERIAL": in the place of a name that the scene chooses. Laws in capitals, as CPM, have a condition. */
+    bool is_placeholder(const Section &section)
+    {
+      return section.condition().empty() &&
+             std::none_of(section.name().begin(), section.name().end(),
+                          [](const char c) { return std::islower(static_cast<unsigned char>(c)) != 0; });
+    }
+
+    /** Every entry a comment: what must be given without a value, all else with its default. @param before "# " below a placeholder */
+    void propose(const Section &section, const int depth, const std::string &before, std::string &text)
+    {
+      for (const auto &entry : section.entries())
+        text += margin(depth) + "# " + remark(*entry) + "\n" + margin(depth) + "# set " + entry->name + " = " +
+                (entry->required ? "(to be given)" : entry->value) + "\n";
+      for (const auto &subsection : section.sections())
+        {
+          const std::string open_or_not = is_placeholder(*subsection) ? "# " : before;
+          text += "\n" + margin(depth) + open_or_not + "subsection " + subsection->name() + "\n" + margin(depth + 1) +
+                  "# " + subsection->meaning() +
+                  (subsection->condition().empty() ? "" : "; only if " + subsection->condition()) + "\n";
+          propose(*subsection, depth + 1, open_or_not, text);
+          text += margin(depth) + open_or_not + "end\n";
         }
     }
 
@@ -169,6 +195,15 @@ namespace apps
       for (const auto &subsection : section.sections())
         described["sections"].push_back(description_as_json(*subsection));
     return described;
+  }
+
+  std::string proposed_scene(const Section &root, const std::string &kind)
+  {
+    std::string text;
+    propose(root, 0, "", text);
+    return "# Take away the # of what you set; \"breccia check\" names all that must be given and is not.\n\nset Kind "
+           "= " +
+           kind + "\n\n" + text.substr(text.find('\n', text.find("# set Kind")) + 1);
   }
 
   std::string completed_scene(const Section &root, const Completed what)

@@ -25,6 +25,9 @@ namespace apps
     what_decides_results ///< without folders, checkpoint intervals and the like; without remarks
   };
 
+  /** A scene of a kind to start from: nothing but its kind is set, every entry stands in it as a comment with what it means. */
+  std::string proposed_scene(const Section &root, const std::string &kind);
+
   /**
    * The scene as it was understood: every needed entry with its value, defaults included; reading it gives the same
    * run.

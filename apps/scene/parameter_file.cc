@@ -1,5 +1,6 @@
 #include "apps/scene/parameter_file.h"
 
+#include "apps/scene/page_scene.h"
 #include "apps/scene/parameter_lines.h"
 #include "base/errors.h"
 
@@ -20,8 +21,8 @@ namespace apps
     std::string content_of(const std::string &file)
     {
       const std::string extension = std::filesystem::path(file).extension().string();
-      if (extension != ".prm" && extension != ".json")
-        throw base::InputError(file + ": a scene's name ends in .prm or .json.");
+      if (extension != ".prm" && extension != ".json" && !is_page(file))
+        throw base::InputError(file + ": a scene's name ends in .prm or .json, that of a run's page in .html.");
       std::ifstream stream(file);
       if (!stream || std::filesystem::is_directory(file))
         throw base::InputError(file + ": cannot be opened: " +
@@ -44,7 +45,13 @@ namespace apps
 
   std::vector<Assignment> read_parameter_file(const std::string &file)
   {
-    const std::string       text = content_of(file);
+    std::string               text = content_of(file);
+    postprocess::PageContents page;
+    if (is_page(file))
+      {
+        page = postprocess::read_page_contents(text, file);
+        text = page.scene;
+      }
     std::istringstream      scanned(text), parsed(text);
     std::vector<Assignment> found = is_json(file) ? entries_of_json(scanned, file) : entries_of_prm(scanned, file);
 
@@ -72,6 +79,7 @@ namespace apps
     for (Assignment &assignment : found)
       if (!assignment.opens_section())
         assignment.value = handler.get(assignment.sections, assignment.entry);
+    use_files_of_page(page, file, found);
     return found;
   }
 } // namespace apps

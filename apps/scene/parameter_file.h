@@ -8,7 +8,7 @@
 namespace apps
 {
   /**
-   * Everything that a parameter file (`.prm`, or `.json`) sets, as deal.II's ParameterHandler reads it, in the file's
+   * Everything that a parameter file (`.prm`, `.json`, or the page of a run, `.html`) sets, as deal.II's ParameterHandler reads it, in the file's
    * order.
    * @throws base::InputError with file and line when it cannot be read.
    */

@@ -1,8 +1,12 @@
 #include "postprocess/files/html_page.h"
 
+#include "postprocess/files/digest.h"
 #include "postprocess/files/numeric_text.h"
+#include "postprocess/files/page_contents.h"
 
+#include <cinttypes>
 #include <cstdint>
+#include <cstdio>
 
 namespace postprocess
 {
@@ -78,8 +82,28 @@ namespace postprocess
   {
     if (!std::filesystem::exists(file))
       return;
+    if (body.size() + std::filesystem::file_size(file) / 3 * 4 > largest * 9 / 10)
+      return paragraph(file.filename().string() + " (" + caption + ") would make the page too long.");
     body += "<figure><img alt=\"" + escaped(caption) + "\" src=\"data:image/png;base64," +
             base64(numeric_text::read_whole(file)) + "\"><figcaption>" + escaped(caption) + "</figcaption></figure>\n";
+  }
+
+  void HtmlPage::scene(const std::string &text)
+  {
+    body += "<details><summary>scene.prm</summary>" + std::string(scene_opening) + escaped(text) + scene_closing +
+            "</details>\n";
+  }
+
+  void HtmlPage::attach(const std::string &entry, const std::string &named, const std::filesystem::path &file)
+  {
+    const std::uintmax_t bytes = std::filesystem::file_size(file);
+    const bool           fits  = body.size() + bytes / 3 * 4 < largest / 2;
+    char                 digest[17];
+    std::snprintf(digest, sizeof digest, "%016" PRIx64, digest_of_file(file));
+    body += attachment_opening + escaped(entry) + "\" data-named=\"" + escaped(named) + "\" data-digest=\"" + digest +
+            "\">" + (fits ? base64(numeric_text::read_whole(file)) : "") + attachment_closing + "\n";
+    paragraph(entry + ": " + file.filename().string() + ", " + std::to_string(bytes) + " bytes, " +
+              (fits ? "in this page." : "too long for this page."));
   }
 
   std::string HtmlPage::text() const

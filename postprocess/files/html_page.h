@@ -1,15 +1,22 @@
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <string>
 #include <vector>
 
 namespace postprocess
 {
-  /** A page for a browser that is one file: pictures stand in its text, and it asks nothing of any other place. */
+  /**
+   * A page for a browser that is one file: pictures stand in its text, and it asks nothing of any other place. What it can be run from
+   * again stands in it too; read_page_contents() takes that out.
+   */
   class HtmlPage
   {
   public:
+    static constexpr std::size_t largest =
+      2'000'000; ///< [byte], so that it can be sent; pictures beyond are named, not shown
+
     explicit HtmlPage(const std::string &title);
 
     void heading(const std::string &text);
@@ -22,6 +29,14 @@ namespace postprocess
     void table(const std::vector<std::vector<std::string>> &rows);
     /** A PNG file; nothing where there is none: a picture that could not be drawn costs no report. @throws base::InputError for one that cannot be read */
     void picture(const std::filesystem::path &file, const std::string &caption);
+
+    /** The scene that it is about, folded away. */
+    void scene(const std::string &text);
+    /**
+     * A file that the scene names, so that the page needs no other; only its name where it would take more than half of the page.
+     * @param entry that names it, "Specimen/File" @param named what the scene calls it
+     */
+    void attach(const std::string &entry, const std::string &named, const std::filesystem::path &file);
 
     /** The whole page. */
     std::string text() const;

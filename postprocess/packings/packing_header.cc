@@ -29,7 +29,12 @@ namespace postprocess
     bool is_coordinate(const ColumnName &column, const std::size_t direction)
     {
       static constexpr std::array<std::string_view, 3> letters = {"x", "y", "z"};
-      return lower_case(column.name) == letters.at(direction);
+      std::string                                      name    = lower_case(column.name);
+      for (const std::string_view before :
+           {"pos_", "pos-", "pos.", "position_", "position-"}) // as tables of PFC have it
+        if (name.rfind(before, 0) == 0)
+          name.erase(0, before.size());
+      return name == letters.at(direction);
     }
 
     bool is_quantity(const ColumnName &column)
@@ -99,6 +104,8 @@ namespace postprocess
               words.push_back(std::move(word));
               continue;
             }
+          if (!words.empty() && lower_case(words.back().name) == "format") // "#format x_y_z_r_matId", of YADE
+            words.pop_back();
           std::replace(name.begin(), name.end(), '_', ' ');
           for (ColumnName &part : column_names(name))
             words.push_back(std::move(part));
@@ -138,7 +145,9 @@ namespace postprocess
                    base::length_unit_names() + ".");
       }
     for (std::size_t i = 0; i < names.size(); ++i)
-      for (const auto &[word, place] : {std::pair{"material", &columns.material}, std::pair{"clump", &columns.clump}})
+      for (const auto &[word, place] : {std::pair{"material", &columns.material},
+                                        std::pair{"matid", &columns.material}, // the second as YADE has it
+                                        std::pair{"clump", &columns.clump}})
         if (lower_case(names[i].name) == word)
           {
             if (*place)

@@ -2,8 +2,11 @@
 
 #include "base/errors.h"
 #include "postprocess/files/atomic_file.h"
+#include "postprocess/files/numeric_text.h"
+#include "postprocess/files/stated_unit.h"
 #include "postprocess/hdf5/hdf5_file.h"
 #include "postprocess/packings/packing_hdf5.h"
+#include "postprocess/packings/packing_lammps.h"
 #include "postprocess/packings/packing_text.h"
 
 #include <algorithm>
@@ -32,13 +35,42 @@ namespace postprocess
         *packing.periodic_cell /= unit.in_a_metre;
     }
 
+    /** The first line of a data file is free, and may say the unit. */
+    std::optional<base::LengthUnit> unit_in_title(const std::string &text, const std::string &origin)
+    {
+      StatedUnit title(origin);
+      if (lammps_file(text) == LammpsFile::data)
+        title.read(std::string_view(text).substr(0, text.find('\n')), 1, false);
+      return title.unit();
+    }
+
+    dem::Packing read_lammps(const LammpsFile                       what,
+                             const std::string                     &text,
+                             const std::string                     &origin,
+                             const std::optional<base::LengthUnit> &unit)
+    {
+      const auto said = unit_in_title(text, origin);
+      if (unit && said && *unit != *said)
+        throw base::InputError(origin + ": says that lengths are in " + said->symbol +
+                               ", and Length unit that they are in " + unit->symbol +
+                               ". Leave it out, or correct the file.");
+      dem::Packing packing = read_packing_lammps(what, text, origin);
+      convert_to_metres(packing, said ? *said : unit.value_or(base::LengthUnit()), origin);
+      return packing;
+    }
+
     std::pair<dem::Packing, Metadata> read(const std::filesystem::path           &path,
                                            const std::optional<base::LengthUnit> &unit)
     {
       if (!std::filesystem::exists(path))
         throw base::InputError(path.string() + ": no such file. Give a packing: HDF5 (.h5) or text (x y z radius).");
       if (!hdf5::is_hdf5(path) && !is_named_hdf5(path))
-        return read_packing_text(path, unit);
+        {
+          const std::string text = numeric_text::read_text(path);
+          if (const auto foreign = lammps_file(text))
+            return {read_lammps(*foreign, text, path.string(), unit), {}};
+          return read_packing_text(path, unit);
+        }
       auto       found = read_packing_hdf5(path);
       const auto said  = unit_of_packing_hdf5(path);
       if (unit && said && *unit != *said)
@@ -74,7 +106,10 @@ namespace postprocess
 
   bool says_length_unit(const std::filesystem::path &path)
   {
-    return hdf5::is_hdf5(path) ? unit_of_packing_hdf5(path).has_value() : packing_text_says_unit(path);
+    if (hdf5::is_hdf5(path))
+      return unit_of_packing_hdf5(path).has_value();
+    const std::string text = numeric_text::read_text(path);
+    return lammps_file(text) ? unit_in_title(text, path.string()).has_value() : packing_text_says_unit(path);
   }
 
   Metadata read_packing_metadata(const std::filesystem::path &path, const std::optional<base::LengthUnit> &unit)
@@ -87,6 +122,8 @@ namespace postprocess
     check_metadata(metadata);
     if (is_named_hdf5(path))
       write_packing_hdf5(packing, path, metadata);
+    else if (const auto foreign = lammps_name(path))
+      write_text(path, packing_as_lammps(*foreign, packing));
     else
       write_text(path, packing_as_text(packing, metadata, path.extension() == ".csv" ? ',' : ' '));
   }

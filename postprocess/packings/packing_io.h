@@ -30,6 +30,8 @@ namespace postprocess
    * `material` (N, whole numbers from 0) and, unless they have no names, the text `material_names`, between blanks. With
    * rigid bodies `clump` (N, whole numbers, -1: of none) and `bodies` (M x 13: volume, centre, inertia over mass by rows).
    *
+   * Files of LAMMPS, data of atom style sphere and dumps of text, are recognised too: see packing_lammps.h.
+   *
    * @param unit of the file's lengths; empty: as it says itself, or else metres. One that contradicts the file is refused.
    * @throws base::InputError naming file and line (or dataset): missing file, wrong number of columns, not a number, NaN
    * or infinity, radius <= 0, no particle, coincident particles, a material that has no name or may not be called so, a body that is none, missing or
@@ -47,9 +49,11 @@ namespace postprocess
   bool is_metadata_key(const std::string &key);
 
   /**
-   * Write a packing atomically: HDF5 when the name ends in .h5 or .hdf5, otherwise text (commas for .csv).
+   * Write a packing atomically: HDF5 when the name ends in .h5 or .hdf5, data of LAMMPS in .data and .lmp and a dump
+   * in .dump and .lammpstrj, otherwise text (commas for .csv).
    *
-   * Reading it back gives the same bits, in both formats (in text, materials without names get their numbers as names).
+   * Reading it back gives the same bits (in text, materials without names get their numbers as names). LAMMPS numbers types from 1 and knows neither
+   * their names nor metadata.
    *
    * @throws OutputError; std::invalid_argument if a key of the metadata is not made of letters, digits, blanks, _ and
    * -, or a value holds a line break.

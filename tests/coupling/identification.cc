@@ -1,9 +1,11 @@
 #include "base/errors.h"
 #include "coupling/sequential/identify.h"
 #include "fem/points/material_kind_of.h"
-#include "tests/fem/concrete_fixture.h"
+#include "fem/references/concrete_points.h"
 
 #include <catch2/catch.hpp>
+
+using namespace fem::references;
 
 using namespace coupling;
 

@@ -1,10 +1,12 @@
 #include "coupling/sequential/section_forces.h"
 #include "coupling/sequential/transfer.h"
+#include "fem/references/concrete_points.h"
 #include "field_fixture.h"
-#include "tests/fem/concrete_fixture.h"
 #include "tests/fem/solid_fixture.h"
 
 #include <Eigen/Geometry>
+
+using namespace fem::references;
 
 using namespace coupling;
 using dealii::Point;

@@ -1,8 +1,10 @@
 #include "coupling/sequential/transfer.h"
+#include "fem/references/concrete_points.h"
 #include "fem/solvers/step_control.h"
 #include "field_fixture.h"
-#include "tests/fem/concrete_fixture.h"
 #include "tests/fem/solid_fixture.h"
+
+using namespace fem::references;
 
 using namespace coupling;
 using dealii::Point;

@@ -1,8 +1,10 @@
-#include "tests/fem/concrete_fixture.h"
+#include "fem/references/concrete_points.h"
 
 #include <catch2/catch.hpp>
 
 #include <cmath>
+
+using namespace fem::references;
 
 using base::Voigt;
 

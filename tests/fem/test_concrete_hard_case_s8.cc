@@ -1,12 +1,14 @@
 // Hard case S8: return mapping under 10^6 random increments, and the tangent against differences.
 #include "fem/materials/damage_plastic/stress_invariants.h"
-#include "tests/fem/concrete_fixture.h"
+#include "fem/references/concrete_points.h"
 
 #include <catch2/catch.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <random>
+
+using namespace fem::references;
 
 using base::Voigt;
 

@@ -1,10 +1,12 @@
 // Sizes of elements, as a softening law takes them.
 #include "fem/materials/damage_plastic/concrete.h"
 #include "fem/materials/least_extent.h"
-#include "tests/fem/concrete_fixture.h"
+#include "fem/references/concrete_points.h"
 
 #include <Eigen/Geometry>
 #include <catch2/catch.hpp>
+
+using namespace fem::references;
 
 namespace
 {

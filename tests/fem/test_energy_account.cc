@@ -1,8 +1,10 @@
 // The energies of static solids: what materials store and dissipate by their own account, against the work that the solver counts.
 #include "fem/materials/step_dissipation.h"
+#include "fem/references/concrete_points.h"
 #include "fem/solvers/step_control.h"
-#include "tests/fem/concrete_fixture.h"
 #include "tests/fem/solid_fixture.h"
+
+using namespace fem::references;
 
 using namespace dealii;
 

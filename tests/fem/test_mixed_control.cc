@@ -1,8 +1,10 @@
 // Points of which some components are given in stress: the answer is the end of the path from the last state.
-#include "tests/fem/concrete_fixture.h"
+#include "fem/references/concrete_points.h"
 #include "tests/fem/random_concrete.h"
 
 #include <catch2/catch.hpp>
+
+using namespace fem::references;
 
 namespace
 {

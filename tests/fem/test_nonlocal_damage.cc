@@ -1,9 +1,11 @@
 #include "fem/points/nonlocal_weights.h"
+#include "fem/references/concrete_points.h"
 #include "fem/solvers/step_control.h"
-#include "tests/fem/concrete_fixture.h"
 #include "tests/fem/solid_fixture.h"
 
 #include <random>
+
+using namespace fem::references;
 
 using namespace dealii;
 

@@ -1,7 +1,9 @@
 // Run with mpirun: the answer on all ranks together against the answer of one rank alone.
 #include "fem/explicit/explicit_solver.h"
-#include "tests/fem/concrete_fixture.h"
+#include "fem/references/concrete_points.h"
 #include "tests/fem/solid_fixture.h"
+
+using namespace fem::references;
 
 using namespace dealii;
 using fem::ElementFamily;

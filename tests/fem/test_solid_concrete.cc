@@ -1,8 +1,10 @@
+#include "fem/references/concrete_points.h"
 #include "fem/solvers/step_control.h"
-#include "tests/fem/concrete_fixture.h"
 #include "tests/fem/solid_fixture.h"
 
 #include <algorithm>
+
+using namespace fem::references;
 
 using namespace dealii;
 using fem::ElementFamily;

@@ -58,7 +58,7 @@ function(judge_own problem room header)
   set(owner "${CMAKE_MATCH_2}")
   if(header MATCHES "\\.\\." OR NOT EXISTS "${ROOT}/${header}")
     set(${problem} "no such file from the root; own headers are included with the folder name" PARENT_SCOPE)
-  elseif(file MATCHES "^(tests|apps)/statistics/" AND NOT header MATCHES "^((tests|apps)/statistics|base)/|^tests/places.h$")
+  elseif(file MATCHES "^(tests|apps)/statistics/" AND NOT header MATCHES "^((tests|apps)/statistics|base)/|^tests/(places|compare).h$")
     set(${problem} "statistics knows only base" PARENT_SCOPE)
   elseif(file MATCHES "^apps/(${run_folders})/" AND header MATCHES "^apps/" AND NOT header MATCHES "^apps/(${run_folders})/"
          AND NOT header MATCHES "^apps/optimisation/")

@@ -76,6 +76,12 @@ namespace apps
             "Runs of the scene, the first with its seeds, each further one with all seeds one larger; with several, "
             "results are their mean and scatter (breccia run)")
           .housekeeping();
+      Section *const output = read.root->find_section("Output");
+      (output ? *output : read.root->section("Output", "What is written"))
+        .flag("Report", read.report)
+        .means("A page of the results for a browser, report.html, with the scene and the files that it names in it: "
+               "breccia run report.html gives the same bits again")
+        .housekeeping();
     }
 
     void refuse_equal_replicates(const CheckedScene &read)

@@ -14,11 +14,12 @@ namespace apps
   /** A scene as read: complete, and every value within its range. */
   struct CheckedScene
   {
-    std::string              file;          ///< as typed
-    std::string              kind;          ///< entry "Kind"
-    std::string              output_folder; ///< entry "Output folder"
-    std::vector<std::string> overrides;     ///< as typed
-    std::vector<std::string> notes;         ///< of old names in it (apps/scene/renamed.h)
+    std::string              file;           ///< as typed
+    std::string              kind;           ///< entry "Kind"
+    std::string              output_folder;  ///< entry "Output folder"
+    bool                     report = false; ///< entry "Output/Report"
+    std::vector<std::string> overrides;      ///< as typed
+    std::vector<std::string> notes;          ///< of old names in it (apps/scene/renamed.h)
     std::int64_t replicates = 1; ///< entry "Replicates": runs with seeds of their own (apps/studies/replicates.h)
     std::unique_ptr<Section> root;
     std::unique_ptr<Scene>   scene;

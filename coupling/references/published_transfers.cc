@@ -1,6 +1,6 @@
-#include "tests/coupling/published_cases.h"
+#include "coupling/references/published_transfers.h"
 
-namespace coupling_tests
+namespace coupling::references
 {
   namespace
   {
@@ -102,4 +102,4 @@ namespace coupling_tests
   } // namespace
 
   const std::vector<PublishedCase> &published_cases() { return cases; }
-} // namespace coupling_tests
+} // namespace coupling::references

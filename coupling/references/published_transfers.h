@@ -3,7 +3,7 @@
 #include <array>
 #include <vector>
 
-namespace coupling_tests
+namespace coupling::references
 {
   struct Continuation
   {
@@ -24,4 +24,4 @@ namespace coupling_tests
    * (doc/theory/sequential-transfer.md, 3).
    */
   const std::vector<PublishedCase> &published_cases();
-} // namespace coupling_tests
+} // namespace coupling::references

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-namespace optimisation_tests
+namespace optimisation
 {
   // Bennett5 of the Statistical Reference Datasets (National Institute of Standards and Technology): magnetisation over time.
   const std::vector<double> bennett5_x = {
@@ -40,4 +40,4 @@ namespace optimisation_tests
     -31.8592,   -31.8563,   -31.8505,   -31.8447,   -31.841801, -31.8389,   -31.833099, -31.8302,   -31.827299,
     -31.8216,   -31.818701, -31.812901, -31.809999, -31.8071,   -31.8013,   -31.798401, -31.7955,   -31.7897,
     -31.7868};
-} // namespace optimisation_tests
+} // namespace optimisation
