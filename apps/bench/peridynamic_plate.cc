@@ -17,7 +17,7 @@ namespace apps
 
   namespace
   {
-    constexpr double young = 200e9, traction = 200e6; // Yu, Zhou, Huang (2023)
+    constexpr double young = 200e9, pulls = 200e6; // Yu, Zhou, Huang (2023)
 
     using TractionAt = std::function<Eigen::Vector3d(const pd::BoundaryPoint &)>;
 
@@ -66,7 +66,7 @@ namespace apps
     Eigen::Matrix3d stress_of(const int i, const int j)
     {
       Eigen::Matrix3d stress = Eigen::Matrix3d::Zero();
-      stress(i, j) = stress(j, i) = traction;
+      stress(i, j) = stress(j, i) = pulls;
       return stress;
     }
 
@@ -125,7 +125,7 @@ namespace apps
     const base::Stopwatch watch;
     const pd::Field pulled = at_rest(plate, bonds, stress_of(1, 1)), sheared = at_rest(plate, bonds, stress_of(0, 1));
     found.seconds       = watch.seconds();
-    const double     nu = pd::poisson_ratio(pd::Space::plane_stress), unit = traction / young;
+    const double     nu = pd::poisson_ratio(pd::Space::plane_stress), unit = pulls / young;
     const LineErrors tension = errors_on_lines(bonds.grid(), pulled, [&](const Eigen::Vector3d &x) -> Eigen::Vector3d {
       return unit * Eigen::Vector3d(-nu * x.x(), x.y(), 0);
     });
@@ -144,8 +144,8 @@ namespace apps
     plate.cells              = cells;
     const pd::Bonds bonds    = bonds_of(plate);
     const auto      traction = [&name](const pd::BoundaryPoint &p) -> Eigen::Vector3d {
-      const double sxx = name == "bending (a)" ? traction / 0.25 * p.place.y() : 0;
-      const double syy = name == "bending (b)" ? traction / 0.5 * p.place.x() : name == "tension" ? traction : 0;
+      const double sxx = name == "bending (a)" ? pulls / 0.25 * p.place.y() : 0;
+      const double syy = name == "bending (b)" ? pulls / 0.5 * p.place.x() : name == "tension" ? pulls : 0;
       return {sxx * p.normal.x(), syy * p.normal.y(), 0};
     };
     const pd::Loads loads = loads_of(plate, bonds, traction);
