@@ -13,6 +13,7 @@ namespace apps
   void add_conservation_bench(CLI::App &bench, Action &chosen);
   void add_continuum_bench(CLI::App &bench, Action &chosen);
   void add_homogenise_bench(CLI::App &bench, Action &chosen);
+  void add_mesoscale_bench(CLI::App &bench, Action &chosen);
   void add_mortar_bench(CLI::App &bench, Action &chosen);
   void add_multiscale_bench(CLI::App &bench, Action &chosen);
   void add_peridynamics_bench(CLI::App &bench, Action &chosen);
@@ -40,6 +41,7 @@ namespace apps
     add_conservation_bench(bench, chosen);
     add_continuum_bench(bench, chosen);
     add_homogenise_bench(bench, chosen);
+    add_mesoscale_bench(bench, chosen);
     add_mortar_bench(bench, chosen);
     add_multiscale_bench(bench, chosen);
     add_peridynamics_bench(bench, chosen);

@@ -5,7 +5,7 @@
 #   commands_test.sh ROOT PROGRAM SCRATCH [PAGE]...
 #
 # A block after the line <!-- takes long --> is looked at instead of run: `check` in place of `run`, `transfer` and `study`, `--help` in place of
-# what a benchmark does. After <!-- shortened by WORDS --> it is run, with these words added to each `run` and `calibrate` of it. `check` of a
+# what a benchmark or an inversion does. After <!-- shortened by WORDS --> it is run, with these words added to each `run` and `calibrate` of it. `check` of a
 # shipped scene as it is, is left to "apps: Every scene that is shipped is valid and can be set up". `./breccia test` would run this test
 # again, and `./breccia python` would build; both are passed over.
 set -euo pipefail
@@ -46,7 +46,7 @@ timed()
 }
 if [[ $1 == test || $1 == python ]]; then # of the launcher
   exit 0
-elif [[ ${TAKES_LONG:-} == yes && $1 == bench ]]; then
+elif [[ ${TAKES_LONG:-} == yes && ($1 == bench || $1 == invert) ]]; then
   timed "$@" --help
 elif [[ ${TAKES_LONG:-} == yes && ($1 == run || $1 == transfer || $1 == study || $1 == calibrate) ]]; then
   kept=()

@@ -1,0 +1,69 @@
+#include "apps/bench/beygi_mixes.h"
+#include "tests/apps/program.h"
+#include "tests/apps/scratch_folder.h"
+#include "tests/places.h"
+
+#include <catch2/catch.hpp>
+
+#include <string>
+#include <vector>
+
+using namespace apps_tests;
+using Catch::Contains;
+
+TEST_CASE("the six concrete mixes have the published volumes, numbers and largest aggregates", "[apps][mesoscale]")
+{
+  // Stransky (2018), table of 8.2, in a cube of 50 mm: part of all aggregates, of the coarse ones, number, largest size.
+  struct Published
+  {
+    const char *name;
+    double      aggregates, coarse;
+    std::size_t number;
+    double      largest;
+  };
+  const std::vector<Published> published = {
+    {"l-9.5", 0.67453, 0.27024, 254, 9.498e-3},   {"l-12.5", 0.70072, 0.28074, 139, 12.369e-3},
+    {"l-19", 0.70654, 0.28307, 134, 17.756e-3},   {"h-9.5", 0.68403, 0.27405, 257, 9.454e-3},
+    {"h-12.5", 0.69800, 0.27965, 139, 12.369e-3}, {"h-19", 0.70199, 0.28125, 132, 18.035e-3}};
+  REQUIRE(apps::beygi::mixes().size() == published.size());
+  for (std::size_t m = 0; m < published.size(); ++m)
+    {
+      const Published &wanted = published[m];
+      INFO(wanted.name);
+      const apps::beygi::Mix &mix = apps::beygi::mixes()[m];
+      CHECK(mix.name == wanted.name);
+      const apps::MixSection section = mix.section({});
+      CHECK(section.all_aggregates() == Approx(wanted.aggregates).margin(6e-6));
+      CHECK(section.asked_content() == Approx(wanted.coarse).margin(6e-6));
+      const dem::AggregateSizes sizes = section.sizes_in(Eigen::Vector3d::Constant(0.05));
+      CHECK(static_cast<double>(sizes.diameters.size()) == Approx(static_cast<double>(wanted.number)).epsilon(0.02));
+      CHECK(sizes.diameters.front() == Approx(wanted.largest).epsilon(0.01));
+      CHECK(sizes.volume == Approx(wanted.coarse * 0.05 * 0.05 * 0.05).epsilon(0.006));
+    }
+}
+
+TEST_CASE("bench mesoscale has a row per mix and geometry, ratios beside the published ones, and needs a mix",
+          "[apps][slow]")
+{
+  const ScratchFolder folder;
+  const std::string   scenes = places::sources() + "/apps/scenes/";
+  // Particles that are too coarse for a good answer, which takes minutes.
+  const Outcome told =
+    run(folder.path(), {"bench", "mesoscale", scenes + "mesoscale_cube.prm", "--geometries", "2", "--mixes", "l-19",
+                        "--ductility", "0.1", "-s", "Specimen/Generator/Particle radius=0.0022", "-s",
+                        "Loading/Grip thickness=0.0045", "-o", "bench"});
+  INFO(told.err);
+  REQUIRE(told.status == 0);
+  CHECK_THAT(content_of(folder / "bench/mesoscale.csv"),
+             Contains("\nl-9.5,0.1,1,254,") && Contains("\nl-9.5,0.1,2,254,") && Contains("\nl-19,0.1,1,134,") &&
+               Contains("\nl-19,0.1,2,134,") && !Contains("\nh-"));
+  const std::string table = content_of(folder / "bench/mesoscale.md");
+  CHECK_THAT(table, Contains("| l-9.5 | 0.1 |") && Contains("| 1 | 1 | 1 | 1 |"));
+  CHECK_THAT(table, Contains("(1.149, 1.060)") && Contains("(0.935, 0.992)") && Contains("(1.257, 1.053)") &&
+                      Contains("(1.344, 1.295)")); // experiment, simulation
+
+  const Outcome refused = run(folder.path(), {"bench", "mesoscale", scenes + "quick_uniaxial.prm"});
+  CHECK(refused.status == 2);
+  CHECK_THAT(refused.err, Contains("Specimen/Mix: this bench needs a box with a mix."));
+  CHECK(run(folder.path(), {"bench", "mesoscale", "--mixes", "l-20"}).status == 2);
+}
