@@ -1,5 +1,6 @@
 #include "apps/runs/coupled/outcome.h"
 
+#include "apps/figures/emission_figures.h"
 #include "apps/figures/lab_report.h"
 #include "apps/process/mpi_session.h"
 #include "apps/runs/coupled/body.h"
@@ -20,6 +21,8 @@ namespace apps
     if (model.laboratory.given())
       found.add_figures(names_of_figures({UniaxialLoad::compression}, true));
     found.figures.emplace_back("broken_links");
+    if (model.particles.emission.given())
+      found.add_figures(EmissionFigures::names());
     for (const CouplingSection &coupling : model.couplings.couplings)
       if (coupling.bond.given())
         found.figures.push_back("torn_off/" + coupling.name);

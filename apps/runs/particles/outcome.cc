@@ -12,8 +12,7 @@ namespace apps
       found.add_figures_of_column(probe.name);
     found.figures.emplace_back("broken_links");
     if (model.emission.given())
-      for (const std::string &name : EmissionFigures::names())
-        found.figures.push_back(name);
+      found.add_figures(EmissionFigures::names());
     if (model.laboratory.given())
       for (const std::string &name : names_of_figures(model.laboratory))
         found.figures.push_back("laboratory/" + name);

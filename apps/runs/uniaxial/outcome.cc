@@ -12,8 +12,7 @@ namespace apps
     found.figures = names_of_figures(model.loads(), true);
     if (model.emission.given())
       for (const UniaxialLoad load : model.loads())
-        for (const std::string &name : EmissionFigures::names(std::string(name_of(load)) + "_"))
-          found.figures.push_back(name);
+        found.add_figures(EmissionFigures::names(std::string(name_of(load)) + "_"));
     found.set_columns(UniaxialLabTest::series_columns(model));
     return found;
   }
