@@ -75,6 +75,5 @@ namespace base
     std::string                        subject; ///< "concrete in uniaxial tension"
     std::string                        source;  ///< author, year, table; or what the closed form is
     std::function<void(Comparisons &)> compare;
-    bool                               takes_long = false; ///< more than half a minute
   };
 } // namespace base

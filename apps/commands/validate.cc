@@ -20,7 +20,6 @@ namespace apps
     {
       std::vector<std::string> pages;
       std::string              only;
-      bool                     fast = false;
     };
 
     bool is_html(const std::string &page) { return std::filesystem::path(page).extension() == ".html"; }
@@ -40,7 +39,7 @@ namespace apps
       for (const base::Reference &reference : every_reference())
         {
           subjects += "\n  " + reference.subject;
-          if (reference.subject.find(options.only) != std::string::npos && !(options.fast && reference.takes_long))
+          if (reference.subject.find(options.only) != std::string::npos)
             chosen.push_back(reference);
         }
       if (chosen.empty())
@@ -96,7 +95,6 @@ namespace apps
       ->type_name("FILE.md|FILE.html")
       ->allow_extra_args(false);
     command.add_option("--only", options->only, "References whose subject holds this word")->type_name("WORD");
-    command.add_flag("--fast", options->fast, "Leave out what takes more than half a minute");
     command.callback([options, &chosen] { chosen = [options] { return validate(*options); }; });
   }
 } // namespace apps

@@ -14,11 +14,9 @@ namespace dem
        "published static solution of one packing of 500 spheres, doc/theory/homogenisation.md, 5",
        references::links_of_random_packings},
       {"random packings: moduli of 500 spheres",
-       "published means over several packings, doc/theory/homogenisation.md, 5", references::moduli_of_500_spheres,
-       true},
+       "published means over several packings, doc/theory/homogenisation.md, 5", references::moduli_of_500_spheres},
       {"random packings: moduli of 100 spheres",
-       "published means over several packings, doc/theory/homogenisation.md, 5", references::moduli_of_100_spheres,
-       true}};
+       "published means over several packings, doc/theory/homogenisation.md, 5", references::moduli_of_100_spheres}};
     return all;
   }
 } // namespace dem
