@@ -16,15 +16,6 @@ namespace apps
 {
   namespace
   {
-    std::vector<double> magnitudes_of(const std::vector<dem::EmissionEvent> &events)
-    {
-      std::vector<double> found;
-      for (const dem::EmissionEvent &e : events)
-        if (!e.moment.isZero(0))
-          found.push_back(dem::moment_magnitude(dem::scalar_moment(e.moment)));
-      return found;
-    }
-
     nlohmann::json without(const std::string &reason)
     {
       return {{"value", nullptr}, {"unit", "-"}, {"not_determined", reason}};
@@ -35,7 +26,7 @@ namespace apps
     : heard(specimen.parameters().emission_reach > 0)
     , events(static_cast<double>(specimen.emission().size()))
   {
-    const std::vector<double> magnitudes = magnitudes_of(specimen.emission());
+    const std::vector<double> magnitudes = dem::magnitudes_of(specimen.emission());
     if (!magnitudes.empty())
       largest = *std::max_element(magnitudes.begin(), magnitudes.end());
     if (const auto law = dem::frequency_law(magnitudes))

@@ -10,6 +10,15 @@ namespace dem
 
   double moment_magnitude(const double scalar_moment) { return (std::log10(scalar_moment) - 9.1) / 1.5; }
 
+  std::vector<double> magnitudes_of(const std::vector<EmissionEvent> &events)
+  {
+    std::vector<double> found;
+    for (const EmissionEvent &event : events)
+      if (!event.moment.isZero(0))
+        found.push_back(moment_magnitude(scalar_moment(event.moment)));
+    return found;
+  }
+
   double isotropic_share(const Eigen::Matrix3d &moment)
   {
     const double          trace    = moment.trace();

@@ -16,15 +16,6 @@ namespace postprocess
   {
     using Events = std::vector<dem::EmissionEvent>;
 
-    std::vector<double> magnitudes_of(const Events &events)
-    {
-      std::vector<double> found;
-      for (const dem::EmissionEvent &e : events)
-        if (!e.moment.isZero(0))
-          found.push_back(dem::moment_magnitude(dem::scalar_moment(e.moment)));
-      return found;
-    }
-
     PlotSeries line_of(const dem::FrequencyLaw &law, const double largest)
     {
       char name[64];
@@ -50,7 +41,7 @@ namespace postprocess
       PlotSeries points;
       points.name  = "events";
       points.style = PlotSeries::Style::points;
-      points.x     = magnitudes_of(events);
+      points.x     = dem::magnitudes_of(events);
       std::sort(points.x.begin(), points.x.end());
       for (std::size_t i = 0; i < points.x.size(); ++i)
         points.y.push_back(static_cast<double>(points.x.size() - i));

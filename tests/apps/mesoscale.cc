@@ -4,9 +4,9 @@
 #include "base/errors.h"
 #include "dem/model/materials.h"
 #include "tests/apps/concrete_stack.h"
-#include "tests/apps/mortar.h"
 #include "tests/apps/program.h"
 #include "tests/apps/scratch_folder.h"
+#include "tests/dem/clusters.h"
 
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
@@ -82,7 +82,7 @@ TEST_CASE("Mix: links between different aggregates are of the interface, within 
   mix.aggregates       = {2.5, 5, 1};
   mix.interface        = {0.5, 0.5, 0.1};
   apps::LinkLaw law_of_mortar;
-  law_of_mortar.choose(apps_tests::mortar());
+  law_of_mortar.choose(cluster::concrete());
   const std::size_t              numbers = 4;
   const dem::LinkMaterials       made    = apps::mix_materials(mix, law_of_mortar, numbers);
   const std::vector<std::string> classes = apps::classes_of_mix(numbers);

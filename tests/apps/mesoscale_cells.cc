@@ -3,10 +3,10 @@
 #include "apps/specimens/mixed_specimen.h"
 #include "dem/packing/compaction.h"
 #include "tests/apps/interrupted_runs.h"
-#include "tests/apps/mortar.h"
 #include "tests/apps/program.h"
 #include "tests/apps/scenes.h"
 #include "tests/apps/scratch_folder.h"
+#include "tests/dem/clusters.h"
 
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
@@ -84,7 +84,7 @@ namespace
     cell.body              = apps::SpecimenSection::Body::cell;
     cell.interaction_ratio = 1.5;
     apps::MaterialSection material;
-    material.only.choose(mortar());
+    material.only.choose(cluster::concrete());
     const apps::MixedSpecimen mixed{cell, mix, material, 3};
     mixed.check({});
     mixed.number(packing, "packing");
