@@ -35,6 +35,7 @@ namespace apps
     supports.check(root, dimension, names);
     probes.check(root, dimension, names);
     path.check(root);
+    bending_test.check(root);
     if (!has_solid())
       return;
     const base::EntryPath solid = root.at("Continuum");
@@ -50,6 +51,12 @@ namespace apps
   {
     return std::any_of(voids.begin(), voids.end(),
                        [&](const VoidSection &empty) { return empty.region.holds(place, dimension); });
+  }
+
+  bool StructureModel::is_void_between(const Eigen::Vector3d &one, const Eigen::Vector3d &other) const
+  {
+    return std::any_of(voids.begin(), voids.end(),
+                       [&](const VoidSection &empty) { return empty.region.meets(one, other, dimension); });
   }
 
   dem::Packing StructureModel::packing(std::optional<dem::Packing> *const cell) const
@@ -92,11 +99,17 @@ namespace apps
   dem::ElasticNetwork StructureModel::network(const dem::Packing &packing) const
   {
     dem::NetworkParameters links;
-    links.dimension         = dimension;
-    links.rotations         = rotations;
-    links.interaction_ratio = source.interaction_ratio;
-    links.thickness         = source.thickness;
-    return dem::make_network(packing, links, material.materials());
+    links.dimension             = dimension;
+    links.rotations             = rotations;
+    links.interaction_ratio     = source.interaction_ratio;
+    links.thickness             = source.thickness;
+    dem::ElasticNetwork made    = dem::make_network(packing, links, material.materials());
+    const auto          crosses = [&](const dem::ElasticLink &link) {
+      const Eigen::Vector3d &first = packing.centre[static_cast<std::size_t>(link.first)];
+      return is_void_between(first, first + link.branch);
+    };
+    made.links.erase(std::remove_if(made.links.begin(), made.links.end(), crosses), made.links.end());
+    return made;
   }
 
   dem::LoadedNetwork StructureModel::particles(const dem::Packing &packing, const ParticleGroups &members) const

@@ -6,6 +6,7 @@
 #include "apps/runs/continuum/model.h"
 #include "apps/runs/coupled/handshakes.h"
 #include "apps/runs/coupled/particle_medium.h"
+#include "apps/runs/structure/bending_test.h"
 #include "apps/runs/structure/probes.h"
 #include "apps/runs/structure/supports.h"
 #include "base/entry_path.h"
@@ -17,7 +18,7 @@
 
 namespace apps
 {
-  /** Sub-section of "Voids": a place without particles, as a notch is. */
+  /** Sub-section of "Voids": a place without particles, as a notch is, and without links across it. */
   struct VoidSection
   {
     std::string name;
@@ -48,6 +49,7 @@ namespace apps
     ContinuumModel            continuum; ///< where there are handshakes
     HandshakesSection         handshakes;
     PathSection               path;
+    BendingTestSection        bending_test;
     std::int64_t              snapshot_interval   = 20; ///< points of the path
     double                    checkpoint_interval = 600;
     std::string               horizontal, vertical; ///< columns of the curve, as the scene asks for them
@@ -57,11 +59,13 @@ namespace apps
 
     bool has_solid() const { return !handshakes.empty(); }
     bool is_void(const Eigen::Vector3d &place) const;
+    bool is_void_between(const Eigen::Vector3d &one, const Eigen::Vector3d &other) const;
     /** Of the specimen what is in no void and, beside a solid, may come to be in a region or its overlap. @param cell as specimen_particles() has it @throws as make_packing() */
     dem::Packing packing(std::optional<dem::Packing> *cell = nullptr) const;
     /** Of the particles, where there is a solid and they are known. @param cell as packing() gives it */
-    ParticleMedia       media(const std::optional<dem::Packing> &cell) const;
-    ParticleGroups      groups_in(const dem::Packing &packing) const;
+    ParticleMedia  media(const std::optional<dem::Packing> &cell) const;
+    ParticleGroups groups_in(const dem::Packing &packing) const;
+    /** Links of the particles but those that would cross a void. @throws as dem::make_network() */
     dem::ElasticNetwork network(const dem::Packing &packing) const;
     /** The particles alone, held and driven. @throws base::InputError */
     dem::LoadedNetwork particles(const dem::Packing &packing, const ParticleGroups &groups) const;

@@ -17,6 +17,8 @@ namespace apps
     for (const postprocess::SeriesColumn &column : made.structure().told())
       found.add_figures_of_column(column.name);
     found.add_figures({"crack/links", "crack/cracked", "crack/area", "load_factor"});
+    if (model.bending_test.evaluate())
+      found.add_figures(BendingTestSection::names());
     return found;
   }
 } // namespace apps

@@ -26,7 +26,9 @@ namespace apps
     for (const postprocess::SeriesColumn &column : structure.told())
       found[column.name] = figure_of(series, column.name, column.unit, "load_factor");
     const dem::Crack crack = dem::measure_crack(structure.particle_output(), structure.link_output(), model.shape());
-    found["crack"]       = {{"links", crack.links}, {"cracked", crack.cracked}, {"area", quantity(crack.area, "m^2")}};
+    found["crack"] = {{"links", crack.links}, {"cracked", crack.cracked}, {"area", quantity(crack.area, "m^2")}};
+    if (model.bending_test.evaluate())
+      found["bending_test"] = model.bending_test.figures(series, structure.curve().second);
     found["load_factor"] = quantity(series.column("load_factor").back(), "-");
     return found;
   }
@@ -114,6 +116,8 @@ namespace apps
       text +=
         fmt::format("             the force changes by {:+.2g} % at most where they do, at the load factor {:.6g}\n",
                     100 * step->change, step->load_factor);
+    if (model.bending_test.evaluate())
+      text += model.bending_test.text(series, structure.curve().second);
     text += fmt::format("path         {} points led by the load factor, {} by opening, {} relaxed (cascades)\n",
                         points_by(dem::StepControl::strain), points_by(dem::StepControl::opening),
                         points_by(dem::StepControl::relaxed));

@@ -52,6 +52,27 @@ namespace apps
       .means("Local (Cundall) damping where cracks run away and dynamics looks for the next equilibrium");
   }
 
+  void declare(Section &root, BendingTestSection &test)
+  {
+    Section &s = root.section(
+      "Bending test",
+      "Dimensions of a notched beam on two supports, loaded at mid-span, by which its load and its work become "
+      "figures of the material; the load is Output/Curve vertical");
+    const auto asked = [&test] { return test.evaluate(); };
+    s.number("Span", test.span, "m", Range::at_least(0), Need::optional)
+      .means("Between the supports; 0: nothing of this is evaluated");
+    s.number("Depth", test.depth, "m", Range::positive(), Need::required)
+      .only_if(asked, "Span > 0")
+      .means("Of the beam, along the load");
+    s.number("Width", test.width, "m", Range::positive(), Need::required)
+      .only_if(asked, "Span > 0")
+      .means("Of the beam, across the plane of bending");
+    s.number("Notch depth", test.notch, "m", Range::at_least(0), Need::optional)
+      .only_if(asked, "Span > 0")
+      .means("What it takes from Depth; figures are nominal strength 3 F S / (2 b (d - a)^2), and work over ligament b "
+             "(d - a)");
+  }
+
   void declare(Section &root, StructureModel &model)
   {
     SpecimenSection::Use use;
@@ -60,8 +81,8 @@ namespace apps
     declare(root, model.material, use.inertia);
     declare_static_physics(root, model.dimension, model.rotations);
     root
-      .section("Voids",
-               "One sub-section per place without particles, as a notch is: those whose centre lies in it are left out")
+      .section("Voids", "One sub-section per place without particles, as a notch is: particles whose centre lies in it "
+                        "are left out, and links whose line between centres crosses it")
       .named_sections("VOID", [&model](Section &opened) {
         VoidSection &added = model.voids.emplace_back();
         added.name         = opened.name();
@@ -76,6 +97,7 @@ namespace apps
     declare_as_static_part(solid, model.continuum);
     declare(root, model.handshakes, model.continuum, false);
     declare(root, model.path);
+    declare(root, model.bending_test);
     declare(root, model.probes);
     declare_output(root, model);
   }

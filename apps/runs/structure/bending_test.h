@@ -1,0 +1,41 @@
+#pragma once
+
+#include "base/entry_path.h"
+#include "postprocess/files/csv_table.h"
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <string>
+#include <vector>
+
+namespace apps
+{
+  /**
+   * Section "Bending test": the dimensions of a notched beam on two supports that is loaded at mid-span, by which its load and its
+   * work become figures of the material.
+   */
+  struct BendingTestSection
+  {
+    double span  = 0;            ///< between the supports [m]; 0: nothing is evaluated
+    double depth = 0, width = 0; ///< along the load, across the plane of bending [m]
+    double notch = 0;            ///< its depth [m]
+
+    /** @throws base::InputError */
+    void check(const base::EntryPath &root) const;
+
+    bool   evaluate() const { return span > 0; }
+    double ligament() const { return width * (depth - notch); } ///< area that the crack has to go through [m^2]
+    /** Bending stress that the load would cause in the section over the notch, were it elastic [Pa]: 3 F S / (2 b (d - a)^2). */
+    double nominal_stress(double load) const;
+
+    /**
+     * @param series of the run, complete @param load column of the load
+     * @return nominal_strength: of the largest load; work_of_fracture: the external work over the ligament (RILEM TC 50-FMC, 1985,
+     * Mater. Struct. 18, 285: G_F = W / A; no weight acts here, so that none has done work); dissipated_over_ligament: without what is
+     * still stored; load_left: at the end, over the peak: the work is that of the whole crack only where this is small
+     */
+    nlohmann::json                  figures(const postprocess::CsvTable &series, const std::string &load) const;
+    std::string                     text(const postprocess::CsvTable &series, const std::string &load) const;
+    static std::vector<std::string> names(); ///< of figures()
+  };
+} // namespace apps
