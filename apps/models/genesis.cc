@@ -113,7 +113,7 @@ namespace apps
         const double smallest = 4 * mean_radius / (1 + radius_ratio);
         return {{1.0, smallest, radius_ratio * smallest}};
       }
-    found = sizes == Sizes::file ? size_classes_in_file(file) : size_classes_in_text(classes);
+    found = sizes == Sizes::file ? size_classes_in_file(file) : classes;
     for (dem::SizeClass &one : found)
       {
         one.smallest *= size_factor;

@@ -49,13 +49,14 @@ namespace apps
       uniform  ///< radii evenly spread about a mean one
     };
 
-    dem::GenesisParameters growth;            ///< but for radii, seed and thickness
-    std::array<double, 3>  size  = {0, 0, 0}; ///< of the vessel [m]
-    Sizes                  sizes = Sizes::classes;
-    std::string            classes, file;
-    double                 size_factor = 1;
-    double                 mean_radius = 0, radius_ratio = 1; ///< [m], largest over smallest
-    double       porosity = 0.1, laboratory_porosity = 0;     ///< the latter, where it is given, in place of the former
+    dem::GenesisParameters      growth;            ///< but for radii, seed and thickness
+    std::array<double, 3>       size  = {0, 0, 0}; ///< of the vessel [m]
+    Sizes                       sizes = Sizes::classes;
+    std::vector<dem::SizeClass> classes; ///< of the scene
+    std::string                 file;
+    double                      size_factor = 1;
+    double                      mean_radius = 0, radius_ratio = 1; ///< [m], largest over smallest
+    double       porosity = 0.1, laboratory_porosity = 0; ///< the latter, where it is given, in place of the former
     double       size_tolerance = 0.05; ///< part of the solid by which whole particles may miss a fraction
     std::int64_t seed           = 1;
     AggregatesSection aggregates;

@@ -67,9 +67,9 @@ namespace apps
     switch (grading)
       {
       case Grading::passing:
-        return grading_in_text(curve, false);
+        return grading_of(curve, false);
       case Grading::retained:
-        return grading_in_text(curve, true);
+        return grading_of(curve, true);
       case Grading::file:
         return grading_in_file(curve_file);
       case Grading::fuller:

@@ -46,16 +46,17 @@ namespace apps
     double                    unit_weight = 0, air = 0; ///< [kg/m^3], [-]
     double                    content = 0; ///< aggregates of every size, part of the volume [-]; 0: of the constituents
     Grading                   grading = Grading::constituents;
-    std::string               curve, curve_file; ///< as text: size: part, ...
-    double                    fuller_exponent = 0.5;
-    double                    smallest        = 0; ///< aggregate that is modelled [m]; 0: there is no mix
-    double                    largest         = 0; ///< of Fuller's curve [m]
-    Sizes                     sizes           = Sizes::increments;
-    double                    increment       = 0; ///< delta_0 [m]; 0: tuned
-    dem::AggregateShape       shape;
-    std::int64_t              corners   = dem::AggregateShape().corners;
-    double                    clearance = dem::AggregatePlacement().clearance; ///< of the sum of two radii
-    double                    distance = 0, wall = 0;                          ///< [m]
+    std::vector<dem::SievePart> curve; ///< as written: parts of 1, or percent
+    std::string                 curve_file;
+    double                      fuller_exponent = 0.5;
+    double                      smallest        = 0; ///< aggregate that is modelled [m]; 0: there is no mix
+    double                      largest         = 0; ///< of Fuller's curve [m]
+    Sizes                       sizes           = Sizes::increments;
+    double                      increment       = 0; ///< delta_0 [m]; 0: tuned
+    dem::AggregateShape         shape;
+    std::int64_t                corners   = dem::AggregateShape().corners;
+    double                      clearance = dem::AggregatePlacement().clearance; ///< of the sum of two radii
+    double                      distance = 0, wall = 0;                          ///< [m]
     std::int64_t seed = 1, tries = dem::AggregatePlacement().tries, restarts = dem::AggregatePlacement().restarts;
     std::string  mortar = "mortar", aggregate = "aggregate"; ///< names of materials
 

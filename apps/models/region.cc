@@ -7,9 +7,9 @@ namespace apps
 {
   namespace
   {
-    using Coordinates = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 3, 1>; // of two or three coordinates
+    using SpaceVector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 3, 1>; // of two or three coordinates
 
-    Coordinates coordinates(const std::array<double, 3> &of, const int dimension)
+    SpaceVector coordinates(const std::array<double, 3> &of, const int dimension)
     {
       return Eigen::Map<const Eigen::Vector3d>(of.data()).head(dimension);
     }
@@ -29,7 +29,7 @@ namespace apps
       }
 
       /** Where |off + s way| <= radius. */
-      void within(const double radius, const Coordinates &off, const Coordinates &way)
+      void within(const double radius, const SpaceVector &off, const SpaceVector &way)
       {
         const double a = way.squaredNorm(), b = way.dot(off), c = off.squaredNorm() - radius * radius;
         if (a == 0)
@@ -62,7 +62,7 @@ namespace apps
 
   bool Region::holds(const Eigen::Vector3d &place, const int dimension) const
   {
-    const Coordinates here = place.head(dimension);
+    const SpaceVector here = place.head(dimension);
     switch (shape)
       {
       case Shape::box:
@@ -71,8 +71,8 @@ namespace apps
       case Shape::sphere:
         return (here - coordinates(centre, dimension)).squaredNorm() <= radius * radius;
       default:
-        const Coordinates start = coordinates(from, dimension), axis = coordinates(to, dimension) - start;
-        const Coordinates way  = here - start;
+        const SpaceVector start = coordinates(from, dimension), axis = coordinates(to, dimension) - start;
+        const SpaceVector way  = here - start;
         const double      part = way.dot(axis) / axis.squaredNorm();
         return part >= 0 && part <= 1 && (way - part * axis).squaredNorm() <= radius * radius;
       }
@@ -80,7 +80,7 @@ namespace apps
 
   bool Region::meets(const Eigen::Vector3d &one, const Eigen::Vector3d &other, const int dimension) const
   {
-    const Coordinates start = one.head(dimension), way = (other - one).head(dimension);
+    const SpaceVector start = one.head(dimension), way = (other - one).head(dimension);
     Stretch           inside;
     switch (shape)
       {
@@ -92,8 +92,8 @@ namespace apps
         inside.within(radius, start - coordinates(centre, dimension), way);
         break;
       default:
-        const Coordinates foot = coordinates(from, dimension), axis = coordinates(to, dimension) - foot;
-        const Coordinates off    = start - foot;
+        const SpaceVector foot = coordinates(from, dimension), axis = coordinates(to, dimension) - foot;
+        const SpaceVector off    = start - foot;
         const double      length = axis.squaredNorm();
         inside.between(-off.dot(axis), length - off.dot(axis), way.dot(axis));
         inside.within(radius, off - off.dot(axis) / length * axis, way - way.dot(axis) / length * axis);

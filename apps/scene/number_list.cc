@@ -3,6 +3,7 @@
 #include "apps/scene/usual_sizes.h"
 #include "apps/text/name_list.h"
 #include "apps/text/value_text.h"
+#include "base/errors.h"
 
 #include <fmt/format.h>
 
@@ -10,15 +11,30 @@
 
 namespace apps
 {
-  Entry &declare_list(
-    Section &section, const std::string &entry, std::string &member, const std::string &unit, const Need need)
+  Entry &declare_list(Section                                 &section,
+                      const std::string                       &entry,
+                      std::function<void(const std::string &)> read,
+                      const std::string                       &unit,
+                      const Need                               need)
   {
-    Entry &added = section.text(entry, member, need);
-    added.store  = [&member, entry, unit](const std::string &text, const Place &) -> std::string {
-      const std::string question = question_about_list(entry, unit, text);
-      if (question.empty())
-        member = list_without_units(text, unit);
-      return question;
+    std::string text;
+    Entry      &added = section.text(entry, text, need); // its store does not outlive this
+    added.store = [read = std::move(read), entry, unit](const std::string &written, const Place &) -> std::string {
+      const std::string question = question_about_list(entry, unit, written);
+      if (!question.empty())
+        return question;
+      try
+        {
+          read(list_without_units(written, unit));
+        }
+      catch (const base::InputError &refused)
+        {
+          std::string message = refused.what();
+          if (!message.empty() && message.back() == '.') // the sentence goes on with what the entry means
+            message.pop_back();
+          return message;
+        }
+      return "";
     };
     return added;
   }

@@ -216,10 +216,9 @@ namespace apps
     return classes;
   }
 
-  dem::GradingCurve grading_in_text(const std::string &text, const bool retained)
+  std::vector<dem::SievePart> sieves_in_text(const std::string &text)
   {
     std::vector<dem::SievePart> sieves;
-    double                      sum = 0, largest = 0;
     for (const std::string &part : comma_separated(text))
       {
         const std::size_t colon = part.find(':');
@@ -228,8 +227,17 @@ namespace apps
         if (colon == std::string::npos || !size || !share)
           throw base::InputError("\"" + part + "\": expected size: part.");
         sieves.push_back({*size, *share});
-        sum += *share;
-        largest = std::max(largest, *share);
+      }
+    return sieves;
+  }
+
+  dem::GradingCurve grading_of(std::vector<dem::SievePart> sieves, const bool retained)
+  {
+    double sum = 0, largest = 0;
+    for (const dem::SievePart &sieve : sieves)
+      {
+        sum += sieve.part;
+        largest = std::max(largest, sieve.part);
       }
     const bool percent = retained ? sum > 1.5 : largest > 1.5;
     for (dem::SievePart &sieve : sieves)

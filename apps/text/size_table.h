@@ -20,7 +20,9 @@ namespace apps
   std::vector<dem::SizeClass> size_classes_in_file(const std::string &file);
 
   /** "4.75e-3: 0.6, 9.5e-3: 1": sieves [m], and what passes or lies on each, parts of 1 or percent. @throws base::InputError */
-  dem::GradingCurve grading_in_text(const std::string &text, bool retained);
+  std::vector<dem::SievePart> sieves_in_text(const std::string &text);
+  /** Of these, which are percent where they are too much for parts of 1. @throws base::InputError */
+  dem::GradingCurve grading_of(std::vector<dem::SievePart> sieves, bool retained);
   /** The same from a sieve curve of a table, whose finest sieve may let something pass (a sieve of size 0 is the pan). @throws base::InputError naming the file */
   dem::GradingCurve grading_in_file(const std::string &file);
 } // namespace apps

@@ -68,11 +68,11 @@ TEST_CASE("Mix: what does not fit together is refused by its entry", "[apps][mes
 
 TEST_CASE("Grading in a text: passing and retained, parts or percent, in any order", "[apps][mesoscale]")
 {
-  const dem::GradingCurve parts   = apps::grading_in_text("16e-3: 1, 4e-3: 0.4, 8e-3: 0.7", false);
-  const dem::GradingCurve percent = apps::grading_in_text("4e-3: 30, 16e-3: 0, 8e-3: 30", true);
+  const dem::GradingCurve parts   = apps::grading_of(apps::sieves_in_text("16e-3: 1, 4e-3: 0.4, 8e-3: 0.7"), false);
+  const dem::GradingCurve percent = apps::grading_of(apps::sieves_in_text("4e-3: 30, 16e-3: 0, 8e-3: 30"), true);
   for (const double d : {4e-3, 5e-3, 8e-3, 11e-3})
     CHECK_THAT(parts.passing(d), WithinAbs(percent.passing(d), 1e-12));
-  CHECK_THROWS_WITH(apps::grading_in_text("4e-3 0.4, 8e-3: 1", false), Contains("expected size: part"));
+  CHECK_THROWS_WITH(apps::sieves_in_text("4e-3 0.4, 8e-3: 1"), Contains("expected size: part"));
 }
 
 TEST_CASE("Mix: links between different aggregates are of the interface, within one of the aggregate",

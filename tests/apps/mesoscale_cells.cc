@@ -62,7 +62,7 @@ namespace
     apps::MixSection mix;
     mix.content    = content;
     mix.grading    = apps::MixSection::Grading::passing;
-    mix.curve      = "11.9e-3: 0, 12.1e-3: 100";
+    mix.curve      = {{11.9e-3, 0}, {12.1e-3, 100}};
     mix.smallest   = 11.9e-3;
     mix.sizes      = apps::MixSection::Sizes::drawn;
     mix.clearance  = 0.001;

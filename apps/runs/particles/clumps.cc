@@ -1,6 +1,5 @@
 #include "apps/runs/particles/clumps.h"
 
-#include "apps/text/corner_list.h"
 #include "base/errors.h"
 
 #include <cmath>
@@ -51,10 +50,7 @@ namespace apps
     constexpr std::size_t fewest_pebbles = 3;
   } // namespace
 
-  dem::ConvexBody ClumpSection::shape(const int dimension) const
-  {
-    return {corners_in_text(corners, dimension), dimension};
-  }
+  dem::ConvexBody ClumpSection::shape(const int dimension) const { return {places_of(corners, dimension), dimension}; }
 
   void ClumpsSection::check(const base::EntryPath &root, const int dimension, GroupNames &names) const
   {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "apps/runs/particles/groups.h"
+#include "apps/text/corner_list.h"
 #include "base/entry_path.h"
 #include "dem/genesis/convex_body.h"
 #include "dem/specimen/specimen.h"
@@ -15,7 +16,7 @@ namespace apps
   struct ClumpSection
   {
     std::string group;
-    std::string corners; ///< of the shape that its particles stand for; empty: they are the body
+    CornerList  corners; ///< of the shape that its particles stand for; empty: they are the body
     bool inside = false; ///< particles whose centre lies in the shape; otherwise those of a group that there is already
     double mass = 0;     ///< [kg]; 0: that of the shape, or of its particles together
     double inertia = 0;  ///< about its centre, in the plane [kg m^2]; 0: likewise, in proportion to the mass

@@ -2,7 +2,6 @@
 
 #include "apps/specimens/packing_file.h"
 #include "apps/specimens/specimen_packing.h"
-#include "apps/text/corner_list.h"
 #include "apps/text/nearest_name.h"
 #include "dem/packing/overlaps.h"
 
@@ -42,7 +41,7 @@ namespace apps
       return {{place}, {radius}, {}};
     if (source == Source::body)
       {
-        auto at = corners_in_text(corners, dimension);
+        auto at = places_of(corners, dimension);
         for (Eigen::Vector3d &corner : at)
           corner += place;
         return dem::filled_with_pebbles(dem::ConvexBody(at, dimension), radius, filling);

@@ -3,6 +3,7 @@
 #include "apps/models/material.h"
 #include "apps/models/specimen.h"
 #include "apps/runs/particles/groups.h"
+#include "apps/text/corner_list.h"
 #include "base/entry_path.h"
 #include "base/length_unit.h"
 #include "dem/genesis/convex_body.h"
@@ -28,7 +29,7 @@ namespace apps
     Source                          source = Source::sphere;
     std::string                     file;
     std::optional<base::LengthUnit> length_unit; ///< of the file
-    std::string                     corners;     ///< of a body
+    CornerList                      corners;     ///< of a body
     dem::Filling                    filling = dem::Filling::close;
     std::array<double, 3>           centre  = {
                  0, 0, 0};  ///< of the sphere, or what is added to the places of the file and to corners [m]

@@ -1,6 +1,5 @@
 #include "apps/runs/peridynamics/model.h"
 
-#include "apps/text/value_text.h"
 #include "base/errors.h"
 
 #include <fmt/format.h>
@@ -14,31 +13,21 @@ namespace apps
 
   namespace
   {
-    /** Numbers between commas; empty where some are none. */
-    std::vector<double> numbers_between_commas(const std::string &text)
+    Eigen::Vector3d place_of(const Coordinates &numbers)
     {
-      std::vector<double> found;
-      for (const std::string &part : comma_separated(text))
-        {
-          const auto number = number_in(part);
-          if (!number || !std::isfinite(*number))
-            return {};
-          found.push_back(*number);
-        }
-      return found;
+      Eigen::Vector3d place = Eigen::Vector3d::Zero();
+      for (std::size_t i = 0; i < std::min<std::size_t>(3, numbers.size()); ++i)
+        place[static_cast<Eigen::Index>(i)] = numbers[i];
+      return place;
+    }
+
+    bool all_finite(const Coordinates &numbers)
+    {
+      return std::all_of(numbers.begin(), numbers.end(), [](const double one) { return std::isfinite(one); });
     }
   } // namespace
 
-  Eigen::Vector3d PlaceEntry::value() const
-  {
-    const std::vector<double> numbers = numbers_between_commas(text);
-    Eigen::Vector3d           place   = Eigen::Vector3d::Zero();
-    for (std::size_t i = 0; i < std::min<std::size_t>(3, numbers.size()); ++i)
-      place[static_cast<Eigen::Index>(i)] = numbers[i];
-    return place;
-  }
-
-  int PeridynamicsModel::dimension() const { return static_cast<int>(numbers_between_commas(size).size()); }
+  int PeridynamicsModel::dimension() const { return static_cast<int>(size.size()); }
 
   pd::Space PeridynamicsModel::space() const
   {
@@ -47,13 +36,12 @@ namespace apps
 
   void PeridynamicsModel::check_body(const base::EntryPath &root) const
   {
-    const base::EntryPath     body    = root.at("Body");
-    const std::vector<double> lengths = numbers_between_commas(size);
-    if (lengths.empty() || lengths.size() > 3 || *std::min_element(lengths.begin(), lengths.end()) <= 0)
+    const base::EntryPath body = root.at("Body");
+    if (size.empty() || size.size() > 3 || !all_finite(size) || *std::min_element(size.begin(), size.end()) <= 0)
       body.refuse("Size", "must be one to three lengths > 0 between commas.");
     if (pd::half_family(dimension(), horizon).empty())
       root.at("Horizon").refuse("Ratio", "no other node lies within the horizon: it must be at least one spacing.");
-    for (const double length : lengths)
+    for (const double length : size)
       if (const double cells = length / spacing;
           std::abs(cells - std::round(cells)) > 1e-6 * cells || std::round(cells) < 1)
         root.at("Grid").refuse(
@@ -64,10 +52,10 @@ namespace apps
   void PeridynamicsModel::check_places(const base::EntryPath &root) const
   {
     const int  d       = dimension();
-    const auto require = [&](const base::EntryPath &section, const char *entry, const PlaceEntry &place,
+    const auto require = [&](const base::EntryPath &section, const char *entry, const Coordinates &place,
                              const bool needed) {
-      const std::size_t n = numbers_between_commas(place.text).size();
-      if ((needed || !place.text.empty()) && (n < static_cast<std::size_t>(std::min(d, 2)) || n > 3))
+      const std::size_t n = place.size();
+      if ((needed || n > 0) && (n < static_cast<std::size_t>(std::min(d, 2)) || n > 3 || !all_finite(place)))
         section.refuse(entry, fmt::format("expected {} coordinates between commas.", d));
     };
     for (const PeridynamicHole &hole : holes)
@@ -102,12 +90,12 @@ namespace apps
   {
     pd::Body made;
     made.space     = space();
-    made.size      = PlaceEntry{size}.value();
+    made.size      = place_of(size);
     made.spacing   = spacing;
     made.thickness = thickness > 0 ? thickness : spacing;
     made.layout    = layout;
     for (const PeridynamicHole &hole : holes)
-      made.holes.push_back({hole.name, hole.centre.value(), hole.radius});
+      made.holes.push_back({hole.name, place_of(hole.centre), hole.radius});
     return made;
   }
 
@@ -116,7 +104,7 @@ namespace apps
     const pd::Grid grid(body(), pd::reach_of(horizon));
     pd::Bonds      made(grid, horizon, materials.mixture(grid, horizon.ratio * spacing));
     for (const PeridynamicCrack &crack : cracks)
-      if (made.cut({crack.from.value(), crack.to.value(), crack.depth.value()}) == 0)
+      if (made.cut({place_of(crack.from), place_of(crack.to), place_of(crack.depth)}) == 0)
         throw base::InputError("Cracks/" + crack.name +
                                ": no bond crosses it. Check its places against Body/Size (metres).");
     if (!safe.empty())

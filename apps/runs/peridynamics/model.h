@@ -9,22 +9,18 @@
 
 #include <list>
 #include <string>
+#include <vector>
 
 namespace apps
 {
-  /** Places [m] that a scene gives as one to three numbers between commas; what is left out is zero. */
-  struct PlaceEntry
-  {
-    std::string text;
-
-    Eigen::Vector3d value() const;
-  };
+  /** One to three coordinates of a place [m]; what is left out is zero. */
+  using Coordinates = std::vector<double>;
 
   /** Sub-section of "Holes". */
   struct PeridynamicHole
   {
     std::string name;
-    PlaceEntry  centre;
+    Coordinates centre;
     double      radius = 0;
   };
 
@@ -32,7 +28,7 @@ namespace apps
   struct PeridynamicCrack
   {
     std::string name;
-    PlaceEntry  from, to, depth;
+    Coordinates from, to, depth; ///< depth: empty in the plane
   };
 
   /** Sub-section of "No-fail zones". */
@@ -73,7 +69,7 @@ namespace apps
   /** Everything that a scene of kind "peridynamics" says. */
   struct PeridynamicsModel
   {
-    std::string                 size;
+    Coordinates                 size; ///< along as many axes as there are dimensions
     double                      thickness = 0;
     dem::peridynamics::Space    plane     = dem::peridynamics::Space::plane_stress;
     double                      spacing   = 0;

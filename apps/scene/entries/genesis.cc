@@ -2,6 +2,7 @@
 
 #include "apps/scene/number_list.h"
 #include "apps/scene/section.h"
+#include "apps/text/size_table.h"
 #include "base/errors.h"
 #include "dem/model/packing.h"
 
@@ -22,7 +23,9 @@ namespace apps
                 Need::optional)
         .means("classes: diameters and fractions of the solid area (volume), listed in the scene; file: a table of "
                "these; uniform: radii evenly spread about a mean one");
-      declare_list(section, "Classes", of.classes, "m", Need::required)
+      declare_list(
+        section, "Classes", [&of](const std::string &text) { of.classes = size_classes_in_text(text); }, "m",
+        Need::required)
         .means("diameter: fraction, diameter: fraction, ... [m], or smallest-largest: fraction; fractions of area (in "
                "space of volume) sum up to 1")
         .only_if(of_kind(GenesisSection::Sizes::classes), "Specimen/Genesis/Sizes = classes");

@@ -2,6 +2,7 @@
 
 #include "apps/scene/number_list.h"
 #include "apps/scene/section.h"
+#include "apps/text/size_table.h"
 
 namespace apps
 {
@@ -51,7 +52,8 @@ namespace apps
         .means("constituents: their classes of sizes; passing or retained: Curve, of sieves; file: a table of one or "
                "the other; Fuller: "
                "(size/largest)^exponent. Linear in the logarithm of the size between sieves");
-      declare_list(section, "Curve", mix.curve, "m", Need::required)
+      declare_list(
+        section, "Curve", [&mix](const std::string &text) { mix.curve = sieves_in_text(text); }, "m", Need::required)
         .means("sieve: part, sieve: part, ... in any order: what passes each sieve, or lies on it having passed the "
                "next coarser one; parts of "
                "1, or percent")

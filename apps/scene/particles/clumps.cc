@@ -15,8 +15,9 @@ namespace apps
       .named_sections("GROUP", [&clumps](Section &opened) {
         ClumpSection &added = clumps.clumps.emplace_back();
         added.group         = opened.name();
-        declare_list(opened, "Corners", added.corners, "m", Need::optional)
-
+        declare_list(
+          opened, "Corners", [&added](const std::string &text) { added.corners = corners_in_text(text); }, "m",
+          Need::optional)
           .means(
             "Of a convex polyhedron, in two dimensions a polygon, that the particles stand for [m]: coordinates "
             "between "

@@ -26,8 +26,9 @@ namespace apps
     s.number("Radius", added_particles.radius, "m", Range::positive(), Need::required)
       .means("Of the sphere; of each pebble")
       .only_if([&added_particles] { return added_particles.source != Source::file; }, "Source = sphere or body");
-    declare_list(s, "Corners", added_particles.corners, "m", Need::required)
-
+    declare_list(
+      s, "Corners", [&added_particles](const std::string &text) { added_particles.corners = corners_in_text(text); },
+      "m", Need::required)
       .means("Of the body [m], coordinates between commas, corners between semicolons; those of a polygon in their "
              "order. Its mass, centre and inertia are those of the shape, whatever its pebbles")
       .only_if(is(Source::body), "Source = body");

@@ -18,7 +18,7 @@ namespace apps
     void declare_body(Section &root, PeridynamicsModel &model)
     {
       Section &body = root.section("Body", "A rod, plate or block, centred at the origin");
-      declare_list(body, "Size", model.size, "m", Need::required)
+      declare_numbers(body, "Size", model.size, "m", "one to three lengths > 0", Need::required)
         .means("Lengths along x, y and z between commas: one of a rod, two of a plate, three of a block");
       body.number("Thickness", model.thickness, "m", Range::at_least(0), Need::optional)
         .means("Of a plate; of a rod its width and height; 0: the spacing of nodes");
@@ -50,7 +50,7 @@ namespace apps
       root.section("Holes", "One sub-section per round hole").named_sections("HOLE", [&model](Section &opened) {
         PeridynamicHole &added = model.holes.emplace_back();
         added.name             = opened.name();
-        declare_list(opened, "Centre", added.centre.text, "m", Need::required)
+        declare_numbers(opened, "Centre", added.centre, "m", "coordinates", Need::required)
           .means("Of the circle; in space of the cylinder along z");
         opened.number("Radius", added.radius, "m", Range::positive(), Need::required).means("Of the hole");
       });
@@ -58,10 +58,11 @@ namespace apps
         .named_sections("CRACK", [&model](Section &opened) {
           PeridynamicCrack &added = model.cracks.emplace_back();
           added.name              = opened.name();
-          declare_list(opened, "From", added.from.text, "m", Need::required)
+          declare_numbers(opened, "From", added.from, "m", "coordinates", Need::required)
             .means("One end of the segment; in space a corner of a parallelogram");
-          declare_list(opened, "To", added.to.text, "m", Need::required).means("The other end; in space of one edge");
-          declare_list(opened, "Depth", added.depth.text, "m", Need::optional)
+          declare_numbers(opened, "To", added.to, "m", "coordinates", Need::required)
+            .means("The other end; in space of one edge");
+          declare_numbers(opened, "Depth", added.depth, "m", "coordinates", Need::optional)
             .means("In space: the other edge, as a vector");
         });
       root.section("No-fail zones", "One sub-section per region whose nodes have bonds that never break")
