@@ -6,7 +6,9 @@
 #include "tests/places.h"
 
 #include <catch2/catch.hpp>
+#include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <csignal>
 #include <iomanip>
@@ -57,6 +59,45 @@ TEST_CASE("Balls at rest weigh on a slab what they weigh, and the slab's support
   CHECK(found.series.column("block_force_z").back() == Approx(-balls).epsilon(1e-6));
   CHECK(found.series.column("reaction_back_z").back() == Approx(balls + block).epsilon(1e-6));
   CHECK(found.summary["energy"]["balance_error"].get<double>() < 1e-3);
+}
+
+TEST_CASE("The terminal says of every reaction where it is at the end, and from where to where it has been",
+          "[apps][coupled]")
+{
+  const ScratchFolder folder;
+  folder.file("x.prm", two_balls_on_a_held_block("0.1199", 200) + gravity("-9.81"));
+  const std::vector<std::string> brief   = {"Time/End time=1e-3", "Output/Samples=20"};
+  const Outcome                  outcome = outcome_of(folder, "run", "x.prm", brief);
+  REQUIRE(outcome.status == 0);
+  INFO(outcome.out << outcome.err);
+  const auto series = postprocess::read_csv_table(folder / "results/series.csv");
+  for (const char *name : {"reaction_back_x", "reaction_back_z"})
+    {
+      const auto &values          = series.column(name);
+      const auto [least, largest] = std::minmax_element(values.begin(), values.end());
+      CHECK_THAT(outcome.out, Contains(fmt::format("{:<40} {:.6g} N at the end, from {:.6g} to {:.6g} in all\n", name,
+                                                   values.back(), *least, *largest)));
+    }
+}
+
+TEST_CASE("A solid that can be damaged leaves a picture of its damage, an elastic one none", "[apps][coupled]")
+{
+  const ScratchFolder folder;
+  folder.file("elastic.prm", two_balls_on_a_held_block("0.1199", 200));
+  folder.file("concrete.prm",
+              replaced(two_balls_on_a_held_block("0.1199", 200), "set Law     = isotropic elastic",
+                       "set Law     = damage-plastic concrete\n      subsection damage-plastic concrete\n        set "
+                       "Young modulus = 30e9\n        set Poisson ratio = 0.2\n        set Compressive strength = "
+                       "30e6\n        set Tensile strength = 3e6\n        set Fracture energy = 100\n      end"));
+  for (const char *scene : {"elastic", "concrete"})
+    {
+      const Outcome outcome =
+        run(folder.path(), {"run", scene + std::string(".prm"), "-o", scene, "-s", "Time/End time=1e-4"});
+      INFO(outcome.err);
+      REQUIRE(outcome.status == 0);
+    }
+  CHECK_FALSE(std::filesystem::exists(folder / "elastic/damage.png"));
+  CHECK(std::filesystem::file_size(folder / "concrete/damage.png") > 1000);
 }
 
 namespace
