@@ -75,6 +75,7 @@ namespace apps_tests
     {
       for (int signal = 1; signal < NSIG; ++signal)
         std::signal(signal, SIG_DFL);
+      setenv("OMP_WAIT_POLICY", "passive", 0); // else it would start itself again with it, which is the tests here
       std::exit(apps::run_program(static_cast<int>(argv.size()) - 1, argv.data()));
     }
   } // namespace
