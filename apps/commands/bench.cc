@@ -19,6 +19,7 @@ namespace apps
   void add_peridynamics_bench(CLI::App &bench, Action &chosen);
   void add_sequential_bench(CLI::App &bench, Action &chosen);
   void add_quasi_static_bench(CLI::App &bench, Action &chosen);
+  void add_ranks_bench(CLI::App &bench, Action &chosen);
   void add_rate_effect_bench(CLI::App &bench, Action &chosen);
   void add_structure_bench(CLI::App &bench, Action &chosen);
   void add_surface_bench(CLI::App &bench, Action &chosen);
@@ -47,6 +48,7 @@ namespace apps
     add_peridynamics_bench(bench, chosen);
     add_sequential_bench(bench, chosen);
     add_quasi_static_bench(bench, chosen);
+    add_ranks_bench(bench, chosen);
     add_rate_effect_bench(bench, chosen);
     add_structure_bench(bench, chosen);
     add_surface_bench(bench, chosen);

@@ -9,7 +9,9 @@
 #include "apps/studies/calibration_runs.h"
 #include "apps/studies/replicates.h"
 #include "apps/studies/run_study.h"
+#include "base/errors.h"
 
+#include <CLI/Validators.hpp>
 #include <fmt/format.h>
 
 #include <omp.h>
@@ -20,6 +22,11 @@ namespace apps
 {
   namespace
   {
+    struct CheckOptions : SceneOptions
+    {
+      std::size_t ranks = 0; ///< among which particles are to be shared out; 0: not asked for
+    };
+
     /** The first line of a forecast that says how long a run takes, in seconds; 0: none does. */
     double seconds_of_run(const CheckedScene &scene, std::string &forecast)
     {
@@ -83,18 +90,34 @@ namespace apps
                  together_line(seconds * static_cast<double>(scene.replicates), shared.runs));
     }
 
-    int check(const SceneOptions &options)
+    void refuse_ranks(const CheckOptions &options, const char *what)
+    {
+      if (options.ranks > 0)
+        throw base::InputError(fmt::format("{}: --ranks: shares are told of one scene; this is a {} of many. Check the "
+                                           "scene that it runs.",
+                                           options.scene, what));
+    }
+
+    int check(const CheckOptions &options)
     {
       use_threads(options.threads);
       if (is_of_kind(options.scene, "study"))
-        return check_study(options);
+        {
+          refuse_ranks(options, "study");
+          return check_study(options);
+        }
       if (is_of_kind(options.scene, "calibration"))
-        return check_calibration(options);
+        {
+          refuse_ranks(options, "calibration");
+          return check_calibration(options);
+        }
       const CheckedScene scene = read_scene(options.scene, options.overrides);
       print_notes(scene);
       catch_interrupts();
       std::string forecast;
-      with_places(*scene.root, [&] { forecast = scene.scene->forecast(); });
+      with_places(*scene.root, [&] {
+        forecast = options.ranks > 0 ? scene.scene->forecast_over(options.ranks) : scene.scene->forecast();
+      });
       fmt::print("{}: valid\n{}", options.scene, forecast);
       if (scene.replicates > 1)
         print_replicates(scene, duration_in(forecast).value_or(0));
@@ -104,10 +127,15 @@ namespace apps
 
   void add_check(CLI::App &program, Action &chosen)
   {
-    const auto options = std::make_shared<SceneOptions>();
+    const auto options = std::make_shared<CheckOptions>();
     CLI::App  &command = *program.add_subcommand(
        "check", "Validate a scene; say its particles, links, steps, memory and roughly how long it takes");
     add_scene_options(command, *options);
+    command
+      .add_option("--ranks", options->ranks,
+                  "Say too how its particles would be shared out among so many ranks, and what that would cost")
+      ->type_name("N")
+      ->check(CLI::Range(1, 1000000));
     command.callback([options, &chosen] { chosen = [options] { return check(*options); }; });
   }
 } // namespace apps

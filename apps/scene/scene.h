@@ -3,6 +3,7 @@
 #include "apps/results/run_outcome.h"
 #include "apps/scene/section.h"
 
+#include <cstddef>
 #include <optional>
 #include <string>
 
@@ -32,6 +33,12 @@ namespace apps
      * @throws base::InputError.
      */
     virtual std::string forecast() const = 0;
+
+    /**
+     * The same, and how the particles would be shared out among ranks. @param ranks >= 1
+     * @throws base::InputError too where the kind has no particles of its own to share out
+     */
+    virtual std::string forecast_over(std::size_t ranks) const = 0;
 
     /** Names of what a run can find; nothing where they are not known before the model is set up. Sets none up. */
     virtual std::optional<RunOutcome> outcome() const { return std::nullopt; }

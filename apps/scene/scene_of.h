@@ -3,6 +3,7 @@
 #include "apps/results/run_request.h"
 #include "apps/results/run_result.h"
 #include "apps/scene/scene.h"
+#include "base/errors.h"
 
 #include <memory>
 #include <string>
@@ -37,9 +38,22 @@ namespace apps
     return std::nullopt;
   }
 
+  template <typename Model>
+  auto forecast_of_ranks(const Model &model, const std::size_t ranks, int) -> decltype(forecast(model, ranks))
+  {
+    return forecast(model, ranks);
+  }
+  template <typename Model> // of a model that has no particles to share out
+  std::string forecast_of_ranks(const Model &, std::size_t, long)
+  {
+    throw base::InputError("--ranks: scenes of this kind have no particles that are shared out. Those of kind cell, "
+                           "particles and uniaxial have.");
+  }
+
   /**
    * The kind of scene that fills a model: `declare(root, model)` binds its entries, `model.check(path)` has the rules between them,
-   * `forecast(model)` and `run(model, request)` work with it; `outcome(model)`, if there is one, names what a run can find.
+   * `forecast(model)` and `run(model, request)` work with it; `outcome(model)`, if there is one, names what a run can find, and
+   * `forecast(model, ranks)` says how its particles would be shared out.
    */
   template <typename Model>
   class SceneOf : public Scene
@@ -50,9 +64,13 @@ namespace apps
     {
     }
 
-    void                      declare(Section &root) override { declare_model(root, scene_model); }
-    void                      check() const override { scene_model.check({}); }
-    std::string               forecast() const override { return forecast_of_model(scene_model); }
+    void        declare(Section &root) override { declare_model(root, scene_model); }
+    void        check() const override { scene_model.check({}); }
+    std::string forecast() const override { return forecast_of_model(scene_model); }
+    std::string forecast_over(const std::size_t number) const override
+    {
+      return forecast_of_ranks(scene_model, number, 0);
+    }
     std::optional<RunOutcome> outcome() const override { return outcome_of_model(scene_model, 0); }
     bool                      shares_ranks() const override { return ranks; }
     RunResult    run(const RunRequest &request) const override { return run_of_model(scene_model, request); }

@@ -1,6 +1,7 @@
 #include "dem/specimen/observation.h"
 
 #include "dem/measures/link_measures.h"
+#include "dem/ranks/exact_sum.h"
 #include "dem/specimen/core.h"
 
 #include <Eigen/LU>
@@ -159,15 +160,16 @@ namespace dem
   {
     if (self->made_links == 0)
       return 0.0;
-    double     sum = static_cast<double>(self->cracks.count());
+    ExactSum sum; // links may lie in any order: doc/theory/ranks.md, 6
+    sum.add(static_cast<double>(self->cracks.count()));
     LinkReader reader(self->particles, self->bonds, *self->bond_law);
     for (std::size_t l = 0; l < self->bonds.count; ++l)
       if (self->bonds.is_alive(l) && !self->bonds.is_broken(l))
         {
           reader.read(l);
-          sum += reader.damage().stiffness;
+          sum.add(reader.damage().stiffness);
         }
-    return sum / static_cast<double>(self->made_links);
+    return sum.value() / static_cast<double>(self->made_links);
   }
 
   ParticleOutput ObservedSpecimen::particles() const

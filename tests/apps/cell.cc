@@ -3,6 +3,7 @@
 #include "tests/apps/program.h"
 #include "tests/apps/scenes.h"
 #include "tests/apps/scratch_folder.h"
+#include "tests/places.h"
 
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
@@ -87,6 +88,28 @@ TEST_CASE("a cell scene whose particles do not come to bear a stress says that i
   CHECK(summary["ended_by"] == "stress not reached");
   CHECK_THAT(summary["warnings"].at(0).get<std::string>(), Contains("stress yy") || Contains("stress zz"));
   CHECK(postprocess::read_csv_table(folder / "out/series.csv").column("time").back() < 6e-4); // no second leg
+}
+
+TEST_CASE("check says how the particles of a scene would be shared out among ranks", "[apps]")
+{
+  const ScratchFolder folder;
+  folder.file("packing.txt", cubic(12)); // 1728 particles are six bricks and a part of one, with three links each
+  folder.file("x.prm", cell_scene("  subsection Leg 1\n    set Duration = 2e-6\n    set xx = strain 5e-7\n  end\n"));
+  const Outcome three = run(folder.path(), {"check", "x.prm", "--ranks", "3"});
+  INFO(three.out << three.err);
+  REQUIRE(three.status == 0);
+  CHECK_THAT(three.out, Contains("ranks        3, of 2 to 3 bricks of 256 particles"));
+  CHECK_THAT(three.out, Contains(" 5184 links and ") && !Contains(" 0 copies") && Contains("efficiency   "));
+  CHECK_THAT(three.out, Contains("with 2 neighbours")); // a cell of three ranges: each meets both others
+  const Outcome one = run(folder.path(), {"check", "x.prm", "--ranks", "1"});
+  CHECK_THAT(one.out, Contains(" 5184 links and 0 copies") && Contains("ghosts       0 ") &&
+                        Contains("efficiency   100 % expected"));
+  CHECK_THAT(run(folder.path(), {"check", "x.prm"}).out, !Contains("ranks"));
+
+  const Outcome solid =
+    run(folder.path(), {"check", places::sources() + "/apps/scenes/cantilever.prm", "--ranks", "2"});
+  CHECK(solid.status == 2);
+  CHECK_THAT(solid.err, Contains("no particles that are shared out"));
 }
 
 TEST_CASE("an interrupted run of a cell goes on to the same bits", "[apps][slow][S13]")

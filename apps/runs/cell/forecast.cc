@@ -4,12 +4,13 @@
 #include "apps/models/tension_beyond_apex.h"
 #include "apps/specimens/material_counts.h"
 #include "apps/specimens/packing_extents.h"
+#include "apps/specimens/rank_shares.h"
 
 #include <fmt/format.h>
 
 namespace apps
 {
-  std::string forecast(const CellModel &model)
+  std::string forecast(const CellModel &model, const std::size_t ranks)
   {
     const base::Stopwatch set_up;
     const dem::Packing    packing = model.mixed().packing();
@@ -31,6 +32,8 @@ namespace apps
     const double steps = duration / body.time_step();
     text += fmt::format("  steps        {:.0f}\n", steps);
     const double cost = seconds_per_step(body, [&](const std::int64_t count) { test.advance(count); });
+    if (ranks > 0)
+      text += rank_lines(body, ranks, cost);
     return text + duration_line(set_up_seconds + steps * cost);
   }
 

@@ -10,7 +10,9 @@
 #include "apps/specimens/genesis_work.h"
 #include "apps/specimens/material_counts.h"
 #include "apps/specimens/packing_extents.h"
+#include "apps/specimens/rank_shares.h"
 #include "apps/specimens/specimen_snapshots.h"
+#include "base/errors.h"
 
 #include <fmt/format.h>
 
@@ -55,10 +57,16 @@ namespace apps
     }
   } // namespace
 
-  std::string forecast(const ParticlesModel &model)
+  std::string forecast(const ParticlesModel &model, const std::size_t ranks)
   {
     if (model.source.source == SpecimenSection::Source::genesis)
-      return growth_forecast(model);
+      {
+        if (ranks > 0)
+          throw base::InputError(
+            "--ranks: the particles are still to grow; how they would be shared out is known of a packing "
+            "that has grown.");
+        return growth_forecast(model);
+      }
     const base::Stopwatch set_up;
     const dem::Packing    packing = model.packing();
     ParticlesBody         body(model, packing); // refuses what a run would refuse
@@ -92,6 +100,8 @@ namespace apps
       seconds_per_step(specimen,
                        [&](const std::int64_t count) { body.advance(std::min(count, last - specimen.steps())); }) +
       dearer_step_when_piled_up(model, specimen, ground_of(model));
+    if (ranks > 0)
+      text += rank_lines(specimen, ranks, step);
     const double row = seconds_of([&] { body.row(); });
     const double snapshot =
       model.output.snapshots == 0 ? 0.0 : seconds_to_write([&](const std::filesystem::path &folder) {

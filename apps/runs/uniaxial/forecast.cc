@@ -8,6 +8,7 @@
 #include "apps/runs/uniaxial/lab_test.h"
 #include "apps/specimens/material_counts.h"
 #include "apps/specimens/packing_extents.h"
+#include "apps/specimens/rank_shares.h"
 #include "apps/specimens/specimen_snapshots.h"
 #include "apps/specimens/static_start.h"
 
@@ -52,7 +53,7 @@ namespace apps
     }
   } // namespace
 
-  std::string forecast(const UniaxialModel &asked)
+  std::string forecast(const UniaxialModel &asked, const std::size_t ranks)
   {
     const base::Stopwatch set_up;
     const dem::Packing    packing   = asked.packing();
@@ -91,6 +92,8 @@ namespace apps
         parts += part;
         text += fmt::format("  {:<12} at most {} steps\n", name_of(load), most);
       }
+    if (ranks > 0)
+      text += rank_lines(body, ranks, cost);
     const double writing = writing_seconds_of_test(body, asked.output);
     const double tests   = static_cast<double>(asked.loading.tests.size());
     return text + duration_line(set_up_seconds + expected * cost + parts * writing,

@@ -1,0 +1,195 @@
+#include "apps/bench/ranks.h"
+
+#include "apps/bench/results.h"
+#include "apps/forecasts/duration.h"
+#include "apps/process/exit_status.h"
+#include "apps/process/interrupt.h"
+#include "apps/specimens/rank_shares.h"
+#include "dem/laws/cpm.h"
+#include "dem/packing/lattice.h"
+#include "dem/ranks/exact_sum.h"
+#include "dem/specimen/rank_shares.h"
+#include "dem/specimen/specimen.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstdio>
+#include <random>
+#include <string>
+#include <vector>
+
+namespace apps
+{
+  namespace
+  {
+    struct SumRow
+    {
+      std::string values;
+      double      plain = 0, exact = 0, merged = 0; ///< an addition of a double, the same without loss, of two sums [s]
+      double      off = 0; ///< of the plain sum from the exact one, over the sum of magnitudes [-]
+    };
+
+    struct ShareRow
+    {
+      std::size_t ranks = 0;
+      RankTotals  all;
+      double      efficiency = 0;
+    };
+
+    /** Random values of both signs. @param places exponents of two that they spread over, evenly */
+    std::vector<double> random_values(const int places)
+    {
+      std::mt19937_64     bits(1);
+      std::vector<double> values(std::size_t{1} << 20);
+      for (double &value : values)
+        {
+          value = std::ldexp(1 + std::ldexp(static_cast<double>(bits() >> 12), -52),
+                             -static_cast<int>(bits() % static_cast<std::uint64_t>(places)));
+          value = bits() % 2 == 0 ? value : -value;
+        }
+      return values;
+    }
+
+    SumRow time_sums(const std::string &name, const int places)
+    {
+      const std::vector<double> values = random_values(places);
+      const auto                passes = [](const auto &pass) {
+        return [&pass](const std::int64_t count) {
+          for (std::int64_t k = 0; k < count; ++k)
+            pass();
+          return count;
+        };
+      };
+      double size = 0;
+      for (const double value : values)
+        size += std::abs(value);
+      double        plain = 0;
+      dem::ExactSum exact, parts;
+      const auto    add_plain = [&] {
+        plain = 0;
+        for (const double value : values)
+          plain += value;
+      };
+      const auto add_exact = [&] {
+        exact = {};
+        for (const double value : values)
+          exact.add(value);
+      };
+      const auto   merge = [&] { parts.add(exact); };
+      const double n     = static_cast<double>(values.size());
+      SumRow       row{name, seconds_per_unit(passes(add_plain)) / n, seconds_per_unit(passes(add_exact)) / n,
+                 seconds_per_unit(passes(merge)), 0};
+      row.off = std::abs(plain - exact.value()) / size;
+      return row;
+    }
+
+    dem::Specimen cube_of_lattice(const int cells)
+    {
+      dem::CpmParameters concrete;
+      concrete.normal_modulus       = 25e9;
+      concrete.shear_ratio          = 0.2;
+      concrete.limit_elastic_strain = 1e-4;
+      concrete.relative_ductility   = 30;
+      concrete.cohesion             = 3e6;
+      concrete.friction_coefficient = 0.8;
+      dem::SpecimenParameters parameters;
+      parameters.density           = 4800;
+      parameters.interaction_ratio = 1.1;
+      parameters.damping           = 0.3;
+      dem::Packing packing         = dem::make_lattice(dem::Lattice::face_centred_cubic, 1e-3, {cells, cells, cells});
+      packing.periodic_cell.reset();
+      return dem::Specimen(packing, parameters, dem::CpmMaterials(concrete));
+    }
+
+    std::string sums_in_words(const std::vector<SumRow> &rows)
+    {
+      std::string md =
+        "| Sums of 2^20 doubles | Plain [ns each] | Without loss [ns each] | Two sums added [ns] | Plain "
+        "sum off, over magnitudes |\n|---|---|---|---|---|\n";
+      for (const SumRow &r : rows)
+        md += fmt::format("| {} | {:.2f} | {:.2f} | {:.0f} | {:.1e} |\n", r.values, 1e9 * r.plain, 1e9 * r.exact,
+                          1e9 * r.merged, r.off);
+      return md;
+    }
+
+    void write_shares(const BenchResults          &results,
+                      const std::vector<SumRow>   &sums,
+                      const std::vector<ShareRow> &rows,
+                      const double                 particles)
+    {
+      std::string csv = "ranks,copies [-],ghosts [-],largest work over mean [-],most neighbours,most bytes [B],"
+                        "efficiency [-]\n";
+      std::string md  = "\n| Ranks | Cut links [%] | Ghosts [%] | Largest share over the mean | Neighbours, at most | "
+                        "Sent a step, at most [kB] | Efficiency expected [%] |\n|---|---|---|---|---|---|---|\n";
+      for (const ShareRow &r : rows)
+        {
+          const double ghosts  = static_cast<double>(r.all.ghosts) / particles;
+          const double largest = r.all.largest_work * static_cast<double>(r.ranks) / r.all.work;
+          csv += fmt::format("{},{},{},{},{},{},{}\n", r.ranks, r.all.copies(), ghosts, largest, r.all.most_neighbours,
+                             r.all.most_bytes, r.efficiency);
+          md += fmt::format("| {} | {:.2f} | {:.2f} | {:.3f} | {} | {:.0f} | {:.1f} |\n", r.ranks, 100 * r.all.copies(),
+                            100 * ghosts, largest, r.all.most_neighbours, 1e-3 * static_cast<double>(r.all.most_bytes),
+                            100 * r.efficiency);
+        }
+      results.write(csv, sums_in_words(sums) + md);
+    }
+
+    std::vector<postprocess::PlotPanel> rank_panels(const std::vector<ShareRow> &rows, const double particles)
+    {
+      postprocess::PlotPanel cut, gain;
+      cut.title    = "what is computed or held twice";
+      cut.x_label  = "Ranks";
+      cut.y_label  = "Part of all [%]";
+      gain.title   = "efficiency expected by the model";
+      gain.x_label = "Ranks";
+      gain.y_label = "Efficiency [%]";
+      cut.log_x = gain.log_x = true;
+      postprocess::PlotSeries copies, ghosts, efficiency;
+      copies.name = "cut links";
+      ghosts.name = "ghosts";
+      for (const ShareRow &r : rows)
+        {
+          const auto ranks = static_cast<double>(r.ranks);
+          copies.x.push_back(ranks);
+          copies.y.push_back(100 * r.all.copies());
+          ghosts.x.push_back(ranks);
+          ghosts.y.push_back(100 * static_cast<double>(r.all.ghosts) / particles);
+          efficiency.x.push_back(ranks);
+          efficiency.y.push_back(100 * r.efficiency);
+        }
+      cut.series  = {copies, ghosts};
+      gain.series = {efficiency};
+      return {cut, gain};
+    }
+  } // namespace
+
+  int run_ranks_bench(const RanksBench &bench)
+  {
+    const BenchResults results(bench.folder, "ranks");
+    catch_interrupts();
+    const std::vector<SumRow> sums = {time_sums("of 20 exponents", 20), time_sums("of 1000 exponents", 1000)};
+    fmt::print("{}", sums_in_words(sums));
+    std::fflush(stdout);
+    dem::Specimen body      = cube_of_lattice(bench.quick ? 16 : bench.cells);
+    const double  particles = static_cast<double>(body.counts().particles);
+    const double  step      = seconds_per_step(body, [&](const std::int64_t count) { body.advance(count); });
+    fmt::print("{:.0f} particles, {} links, {:.3g} s a step\n", particles, body.counts().links, step);
+    std::vector<ShareRow> rows;
+    for (const std::size_t ranks : {1, 2, 3, 8, 27, 64})
+      {
+        const std::vector<dem::RankShare> shares = dem::share_out(body, ranks);
+        const RankTotals                  all    = totals_of(shares);
+        const double alone = step / (all.work - static_cast<double>(all.copied)); // of an update of a link
+        rows.push_back({ranks, all, dem::parallel_efficiency(shares, alone, dem::Network())});
+        write_shares(results, sums, rows, particles);
+        fmt::print("{:>3} ranks: {:.2f} % of links cut, {:.2f} % ghosts, {} neighbours at most, {:.1f} % efficient\n",
+                   ranks, 100 * all.copies(), 100 * static_cast<double>(all.ghosts) / particles, all.most_neighbours,
+                   100 * rows.back().efficiency);
+        std::fflush(stdout);
+        if (interrupted())
+          return exit_interrupted; // the table has every complete case
+      }
+    return results.finish(rank_panels(rows, particles));
+  }
+} // namespace apps

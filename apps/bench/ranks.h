@@ -1,0 +1,23 @@
+#pragma once
+
+#include <filesystem>
+
+namespace apps
+{
+  /** Options of `breccia bench ranks`. */
+  struct RanksBench
+  {
+    std::filesystem::path folder;
+    int                   cells = 63;    ///< of the lattice along each edge, four particles in each: 1000188
+    bool                  quick = false; ///< 16 cells along each edge: 16384 particles
+  };
+
+  /**
+   * What sums without loss cost beside plain ones, and how a cube of a face-centred cubic lattice of CPM links is shared out among 1 to 64 ranks:
+   * copies, ghosts, neighbours, bytes and the efficiency that the model of doc/theory/ranks.md, 4 expects, for steps as fast as this process
+   * takes them.
+   *
+   * Written to ranks.csv, ranks.md and ranks.png. @return exit status. @throws postprocess::OutputError
+   */
+  int run_ranks_bench(const RanksBench &bench);
+} // namespace apps

@@ -1,0 +1,16 @@
+#include "dem/specimen/inside.h"
+
+#include "dem/specimen/observation.h"
+
+namespace dem
+{
+  namespace
+  {
+    struct Inside : ObservedSpecimen
+    {
+      static const SpecimenCore &core_of(const ObservedSpecimen &specimen) { return *(specimen.*(&Inside::self)); }
+    };
+  } // namespace
+
+  const SpecimenCore &core_of(const ObservedSpecimen &specimen) { return Inside::core_of(specimen); }
+} // namespace dem

@@ -1,0 +1,33 @@
+#include "dem/specimen/rank_shares.h"
+
+#include "base/errors.h"
+#include "dem/specimen/core.h"
+#include "dem/specimen/inside.h"
+
+namespace dem
+{
+  namespace
+  {
+    void append_ends(LinkEnds &ends, const LinkSet &links)
+    {
+      for (std::size_t l = 0; l < links.count; ++l)
+        if (links.is_alive(l))
+          {
+            ends.first.push_back(links.first[l]);
+            ends.second.push_back(links.second[l]);
+          }
+    }
+  } // namespace
+
+  std::vector<RankShare> share_out(const ObservedSpecimen &specimen, const std::size_t ranks)
+  {
+    const SpecimenCore &core = core_of(specimen);
+    if (!core.clumps.empty())
+      throw base::InputError(
+        "ranks: pebbles of clumps cannot be shared out yet: a brick does not keep those of one clump together.");
+    LinkEnds ends;
+    append_ends(ends, core.bonds);
+    append_ends(ends, core.contacts);
+    return share_out(core.particles.count, ends, ranks);
+  }
+} // namespace dem

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "dem/ranks/shares.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace dem
+{
+  class ObservedSpecimen;
+
+  /**
+   * How a specimen's particles, and its bonds and contacts as they are now, would be shared out among ranks. Contacts with surfaces belong to the
+   * rank of their particle and count as nothing. @throws base::InputError where there are clumps: their pebbles would be torn apart
+   */
+  std::vector<RankShare> share_out(const ObservedSpecimen &specimen, std::size_t ranks);
+} // namespace dem
