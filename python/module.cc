@@ -5,6 +5,7 @@
 #include "apps/scene/kinds/read_scene.h"
 #include "apps/scene/link_driver.h"
 #include "apps/scene/link_law_named.h"
+#include "apps/scene/material_driver.h"
 #include "base/errors.h"
 #include "dem/specimen/observation.h"
 #include "postprocess/files/errors.h"
@@ -117,16 +118,13 @@ namespace
     return columns;
   }
 
-  /** Columns of what a link answers along a path of named columns: (name, unit, values); and why it broke off, "" if it did not. */
-  py::tuple link_test(const std::string                                &law_name,
-                      const std::vector<std::string>                   &constants,
-                      const std::map<std::string, std::vector<double>> &path,
-                      const dem::LinkPair                              &pair,
-                      const double                                      row_time)
+  /** A path of named columns as a table. @throws base::InputError for no columns, unlike lengths, and numbers that are not finite */
+  postprocess::CsvTable table_of_path(const std::map<std::string, std::vector<double>> &path)
   {
-    const dem::LinkLawKind &law = apps::link_law_named(law_name);
-    postprocess::CsvTable   table;
+    postprocess::CsvTable table;
     table.origin = "path";
+    if (path.empty())
+      throw base::InputError("path: has no columns. Give at least one, with a value a step.");
     for (const auto &[name, values] : path)
       {
         if (values.empty() || values.size() != path.begin()->second.size())
@@ -138,11 +136,45 @@ namespace
         table.units.emplace_back();
         table.columns.push_back(values);
       }
+    return table;
+  }
+
+  /** Columns of what a link answers along a path of named columns: (name, unit, values); and why it broke off, "" if it did not. */
+  py::tuple link_test(const std::string                                &law_name,
+                      const std::vector<std::string>                   &constants,
+                      const std::map<std::string, std::vector<double>> &path,
+                      const dem::LinkPair                              &pair,
+                      const double                                      row_time)
+  {
+    const dem::LinkLawKind     &law   = apps::link_law_named(law_name);
+    const postprocess::CsvTable table = table_of_path(path);
     const dem::LinkHistory answer = apps::drive_link(law, *apps::constants_of(law, constants), pair, table, row_time);
     py::list               columns;
     for (const auto &column : answer.columns)
       columns.append(py::make_tuple(column.name, column.unit, array_of(column.values)));
     return py::make_tuple(columns, answer.broke_off);
+  }
+
+  /** Columns of what a point of a continuum answers along a path of named columns: (name, unit, values). */
+  py::list point_test(const std::string                                &material,
+                      const std::vector<std::string>                   &constants,
+                      const std::map<std::string, std::vector<double>> &path)
+  {
+    fem::MaterialHistory answer;
+    {
+      const py::gil_scoped_release letting_go;
+      answer = apps::drive_point(material, constants, table_of_path(path));
+    }
+    py::list columns;
+    for (std::size_t c = 0; c < answer.names.size(); ++c)
+      {
+        std::vector<double> values;
+        values.reserve(answer.rows.size());
+        for (const std::vector<double> &row : answer.rows)
+          values.push_back(row[c]);
+        columns.append(py::make_tuple(answer.names[c], answer.units[c], array_of(values)));
+      }
+    return columns;
   }
 
   /** The stiffness of a periodic packing, as text of JSON. @param law of the links; "": moduli instead */
@@ -191,6 +223,7 @@ PYBIND11_MODULE(_breccia, m)
            const double radius_1, const double radius_2, const double gap, const double row_time) {
           return link_test(law, constants, path, {dimension, thickness, radius_1, radius_2, gap}, row_time);
         });
+  m.def("point_test", &point_test);
   m.def("homogenise", [](const std::string &file, const std::string &law, const std::vector<std::string> &constants,
                          const double interaction_ratio, const double normal_modulus, const double shear_ratio,
                          const double thickness) {

@@ -1,19 +1,11 @@
 #include "apps/commands/command.h"
 #include "apps/commands/scene_options.h"
 #include "apps/process/exit_status.h"
-#include "apps/scene/constant_entries.h"
-#include "apps/scene/overrides.h"
-#include "apps/scene/reader.h"
-#include "apps/text/nearest_name.h"
-#include "apps/text/same_name.h"
-#include "base/voigt.h"
-#include "fem/points/material_path.h"
+#include "apps/scene/material_driver.h"
+#include "fem/points/registry.h"
 #include "postprocess/files/atomic_file.h"
 #include "postprocess/files/csv_table.h"
 
-#include <fmt/format.h>
-
-#include <algorithm>
 #include <memory>
 
 namespace apps
@@ -25,50 +17,6 @@ namespace apps
       std::string              material, path, output = "/dev/stdout";
       std::vector<std::string> constants;
     };
-
-    fem::MaterialPath read_material_path(const std::string &file)
-    {
-      const postprocess::CsvTable table = postprocess::read_csv_table(file);
-      if (table.rows() == 0)
-        throw base::InputError(file + ": has no row below the names of its columns. Give one row a step.");
-      fem::MaterialPath path;
-      path.origin = file;
-      path.rows.assign(table.rows(), {});
-      std::vector<std::string> known;
-      for (const char *component : base::voigt_names)
-        for (const char *quantity : {"strain_", "stress_"})
-          known.push_back(std::string(quantity) + component);
-      std::array<bool, 6> given{};
-      for (const std::string &name : table.names)
-        {
-          const auto found = std::find(known.begin(), known.end(), name);
-          if (found == known.end())
-            throw base::InputError(file + ": column \"" + name + "\" is not known. " + did_you_mean(name, known) +
-                                   " Columns: strain_xx ... strain_xy or stress_xx ... stress_xy.");
-          const auto position  = static_cast<std::size_t>(found - known.begin());
-          const auto component = position / 2;
-          if (given[component])
-            throw base::InputError(file + ": column \"" + name +
-                                   "\": strain and stress of the same component cannot both be given.");
-          given[component]             = true;
-          path.stress_given[component] = position % 2 == 1;
-          for (std::size_t row = 0; row < path.rows.size(); ++row)
-            path.rows[row][component] = table.column(name)[row];
-        }
-      return path;
-    }
-
-    const fem::MaterialKind &material_named(const std::string &name)
-    {
-      std::vector<std::string> names;
-      for (const auto &kind : fem::material_kinds())
-        {
-          if (same_name(kind->name(), name))
-            return *kind;
-          names.push_back(kind->name());
-        }
-      throw base::InputError("command line: material \"" + name + "\" is not known. " + did_you_mean(name, names));
-    }
 
     postprocess::CsvTable table_of(const fem::MaterialHistory &history)
     {
@@ -84,12 +32,9 @@ namespace apps
 
     int point_test(const PointTestOptions &options)
     {
-      const auto              constants = material_named(options.material).constants();
-      const fem::MaterialPath path      = read_material_path(options.path);
-      Section                 entries;
-      constants->visit(ConstantEntries{entries});
-      assign(entries, read_overrides(options.constants), "command line");
-      postprocess::write_text(options.output, postprocess::csv_text(table_of(fem::drive(*constants, path))));
+      const fem::MaterialHistory answer =
+        drive_point(options.material, options.constants, postprocess::read_csv_table(options.path));
+      postprocess::write_text(options.output, postprocess::csv_text(table_of(answer)));
       return exit_success;
     }
   } // namespace

@@ -11,11 +11,12 @@ os.environ.setdefault("GOMP_SPINCOUNT", "1000")
 
 from . import _breccia  # noqa: E402
 from ._breccia import InputError, NumericalError, OutputError  # noqa: E402
-from .drivers import homogenise, link_test  # noqa: E402
+from .drivers import homogenise, link_test, point_test  # noqa: E402
 from .values import as_text, as_value  # noqa: E402
 
 __version__ = _breccia.version
-__all__ = ["Scene", "Particles", "Result", "Figure", "InputError", "NumericalError", "OutputError", "link_test", "homogenise"]
+__all__ = ["Scene", "Particles", "Result", "Figure", "InputError", "NumericalError", "OutputError", "link_test", "point_test",
+           "homogenise"]
 
 
 class Figure(NamedTuple):

@@ -265,6 +265,27 @@ class ParticlesTest(unittest.TestCase):
             breccia.Scene(SOLID).particles()
 
 
+def rows_of_program(command, constants, path):
+    """What a driver of the terminal answers to a path, as rows of texts."""
+    with tempfile.TemporaryDirectory() as folder:
+        table, answer = os.path.join(folder, "path.csv"), os.path.join(folder, "answer.csv")
+        with open(table, "w") as text:
+            text.write(",".join(path) + "\n")
+            text.writelines(",".join(map(repr, row)) + "\n" for row in zip(*(c.tolist() for c in path.values())))
+        words = [word for name, value in constants.items() for word in ("-s", f"{name}={value!r}")]
+        subprocess.run([program, *command, *words, "--path", table, "-o", answer], check=True)
+        with open(answer) as text:
+            return list(csv.reader(text))
+
+
+def compare_with_rows(test, found, rows):
+    test.assertEqual(len(found.columns), len(rows[0]))
+    for c, name in enumerate(found.columns):
+        unit = found.attrs["units"][name]
+        test.assertEqual(rows[0][c], f"{name} [{unit}]" if unit else name)
+        test.assertEqual(found[name].tolist(), [float(row[c]) for row in rows[1:]])
+
+
 class LinkTest(unittest.TestCase):
     constants = {
         "Normal modulus": 25e9,
@@ -286,21 +307,8 @@ class LinkTest(unittest.TestCase):
     def compare_with_program(self, constants, row_time):
         path = {"normal_strain": numpy.linspace(0, 2e-3, 41), "shear_strain_1": numpy.linspace(0, 1e-4, 41)}
         found = breccia.link_test("CPM", constants, path, row_time=row_time)
-        with tempfile.TemporaryDirectory() as folder:
-            table, answer = os.path.join(folder, "path.csv"), os.path.join(folder, "answer.csv")
-            with open(table, "w") as text:
-                text.write(",".join(path) + "\n")
-                text.writelines(",".join(map(repr, row)) + "\n" for row in zip(*(c.tolist() for c in path.values())))
-            words = [word for name, value in constants.items() for word in ("-s", f"{name}={value!r}")]
-            words += ["--row-time", repr(row_time)] if row_time > 0 else []
-            subprocess.run([program, "link-test", "--law", "CPM", *words, "--path", table, "-o", answer], check=True)
-            with open(answer) as text:
-                rows = list(csv.reader(text))
-        self.assertEqual(len(found.columns), len(rows[0]))
-        for c, name in enumerate(found.columns):
-            unit = found.attrs["units"][name]
-            self.assertEqual(rows[0][c], f"{name} [{unit}]" if unit else name)
-            self.assertEqual(found[name].tolist(), [float(row[c]) for row in rows[1:]])
+        words = ["--row-time", repr(row_time)] if row_time > 0 else []
+        compare_with_rows(self, found, rows_of_program(["link-test", "--law", "CPM", *words], constants, path))
         return found
 
     def test_mistakes_are_refused(self):
@@ -314,6 +322,49 @@ class LinkTest(unittest.TestCase):
             breccia.link_test("CPM", self.constants, {"normal_strain": [0.0], "shear_strain_1": [0.0, 1.0]})
         with self.assertRaisesRegex(breccia.InputError, "expected finite numbers"):
             breccia.link_test("CPM", self.constants, {"normal_strain": [0.0, float("nan")]})
+
+
+class PointTest(unittest.TestCase):
+    material = "damage-plastic concrete"
+    constants = {
+        "Young modulus": 30e9,
+        "Poisson ratio": 0.2,
+        "Compressive strength": 30e6,
+        "Tensile strength": 3e6,
+        "Fracture energy": 100,
+        "Element size": 0.1,
+    }
+    uniaxial = {f"stress_{component}": numpy.zeros(41) for component in ("yy", "zz", "yz", "zx", "xy")}
+
+    def test_answers_are_those_of_the_program_to_the_bit(self):
+        path = {"strain_xx": numpy.linspace(0, 1e-3, 41), **self.uniaxial}
+        found = breccia.point_test(self.material, self.constants, path)
+        rows = rows_of_program(["point-test", "--material", self.material], self.constants, path)
+        compare_with_rows(self, found, rows)
+        self.assertAlmostEqual(found["stress_xx"].max() / 3e6, 1, delta=0.05)
+        self.assertLess(found["stress_xx"].iloc[-1], 1.5e6)
+
+    def test_an_elastic_point_obeys_hooke(self):
+        constants = {"Young modulus": 30e9, "Poisson ratio": 0.2}
+        found = breccia.point_test("isotropic elastic", constants, {"stress_xx": [1e6, 2e6], "stress_yy": [0, 0]})
+        # without strain along z: plane strain
+        numpy.testing.assert_allclose(found["strain_xx"], (1 - 0.2**2) / 30e9 * numpy.array([1e6, 2e6]), rtol=1e-12)
+        numpy.testing.assert_allclose(found["stress_zz"], 0.2 * numpy.array([1e6, 2e6]), rtol=1e-12)
+        self.assertEqual(found.attrs["units"]["stress_zz"], "Pa")
+
+    def test_mistakes_are_refused(self):
+        path = {"strain_xx": [1e-5]}
+        for words, (material, constants, path) in {
+            "damage-plastic concrete": ("damage-plastic concrte", self.constants, path),
+            "Young modulus": (self.material, {**self.constants, "Young modulus": -1}, path),
+            "Did you mean .strain_xx": (self.material, self.constants, {"strian_xx": [1e-5]}),
+            "cannot both be given": (self.material, self.constants, {**path, "stress_xx": [0.0]}),
+            "as many": (self.material, self.constants, {**path, "strain_yy": [0.0, 1.0]}),
+            "expected finite numbers": (self.material, self.constants, {"strain_xx": [float("nan")]}),
+            "path: .*no columns": (self.material, self.constants, {}),
+        }.items():
+            with self.subTest(words), self.assertRaisesRegex(breccia.InputError, words):
+                breccia.point_test(material, constants, path)
 
 
 class HomogeniseTest(unittest.TestCase):
