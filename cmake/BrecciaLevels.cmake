@@ -30,6 +30,7 @@ function(breccia_room_of_levels name)
     add_library(${target} SHARED ${arg_SOURCES})
     target_link_libraries(${target} PUBLIC ${arg_LIBRARIES} PRIVATE ${arg_PRIVATE_LIBRARIES} breccia_native)
     target_compile_options(${target} PRIVATE -march=x86-64-${level})
+    breccia_unite(${target})
     # Its own functions call each other, not what a program compiled for less has under the same name.
     target_link_options(${target} PRIVATE -Wl,-Bsymbolic-functions)
     set_target_properties(${target} PROPERTIES OUTPUT_NAME breccia_${name}

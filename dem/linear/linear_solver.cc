@@ -13,7 +13,7 @@ namespace dem
 {
   namespace
   {
-    using Lanes = std::array<double, load_lanes>;
+    using PerLoad = std::array<double, load_lanes>;
 
     /** Iterations before the direct method is thought of; doubled from look to look. */
     constexpr int first_look = 500;
@@ -106,7 +106,7 @@ namespace dem
        */
       bool tighten_reference()
       {
-        const Lanes now      = stiffness.link_force_norm(x, strain);
+        const PerLoad now      = stiffness.link_force_norm(x, strain);
         bool        tightens = false;
         for (int lane = 0; lane < first_probe; ++lane)
           {
@@ -120,7 +120,7 @@ namespace dem
         return tightens;
       }
 
-      Lanes start_reference, reference, squares{};
+      PerLoad start_reference, reference, squares{};
     };
 
     /** Factorise and refine. @return whether converged */

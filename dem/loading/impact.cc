@@ -12,7 +12,7 @@ namespace dem
   namespace
   {
     /** Steps between two checks of the impactor: it moves less than a thousandth of a radius meanwhile. */
-    constexpr std::int64_t steps_between_looks = 20;
+    constexpr std::int64_t steps_between_checks = 20;
 
     int blow_axis(const int dimension) { return dimension == 3 ? 2 : 1; }
 
@@ -119,7 +119,7 @@ namespace dem
   {
     for (std::int64_t taken = 0; taken < steps && !finished();)
       {
-        const std::int64_t now = std::min(steps_between_looks, steps - taken);
+        const std::int64_t now = std::min(steps_between_checks, steps - taken);
         specimen->advance(now);
         taken += now;
         update();

@@ -8,7 +8,7 @@ namespace dem
 {
   namespace
   {
-    constexpr double added_to_diagonal = 1e-9; ///< of the factor
+    constexpr double kept_regular_by = 1e-9; ///< of the factor
     constexpr int    most_iterations   = 240; ///< as much work as half a direct factor in cells of a thousand particles
 
     std::vector<std::pair<int, int>> joined_rows(const ElasticNetwork &network, const std::vector<int> &row_of)
@@ -121,7 +121,7 @@ namespace dem
   bool TangentIteration::set(const std::vector<base::Matrix6> &stiffness)
   {
     assemble(stiffness);
-    return factor.compute(matrix[0], added_to_diagonal * diagonal);
+    return factor.compute(matrix[0], kept_regular_by * diagonal);
   }
 
   void TangentIteration::put(const CarrierMotions &force, Eigen::Ref<Eigen::VectorXd> column) const
