@@ -99,6 +99,7 @@ TEST_CASE("A structure that cannot be driven is refused by name", "[apps][struct
   refused({"Handshakes/core/High=0.072, 1, 1"}, "Let the region end where elements do");
   refused({"Groups/load/Lower=1, 1, 1", "Groups/load/Upper=2, 2, 2"}, "no particle's centre lies in it");
   refused({"Output/Curve vertical=lode"}, "Curve vertical");
+  refused({"Output/Curve vertical=opening"}, "Bending test: its load is Output/Curve vertical, here opening");
   refused({"Groups/load/Lower=0.046, -1, -1", "Groups/load/Upper=0.049, 1, 1"}, "a support leads it");
   is_refused(folder, scene,
              {"Specimen/Source=file", "Specimen/File=" + places::sources() + "/meshes/reference_cube.txt",

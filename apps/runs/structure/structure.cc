@@ -2,6 +2,7 @@
 
 #include "apps/figures/drawn_curve.h"
 #include "apps/runs/quasi_static/lab_test.h"
+#include "base/errors.h"
 
 #include <fmt/format.h>
 
@@ -20,7 +21,9 @@ namespace apps
     , materials(materials_in(network().network, parts.packing.material_names))
     , path(network(), what.material.materials(), what.path.parameters())
   {
-    curve();
+    if (const std::string load = curve().second; model.bending_test.evaluate() && load.rfind("reaction_", 0) != 0)
+      throw base::InputError("Bending test: its load is Output/Curve vertical, here " + load +
+                             ": expected a reaction, reaction_load_z say.");
   }
 
   std::unique_ptr<StructureSolid> Structure::make_solid(const dem::Packing &packing, const ParticleMedia &media) const
