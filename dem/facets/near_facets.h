@@ -32,6 +32,8 @@ namespace dem
     void moved(const double of_particles, const double of_vertices) { path += of_particles + of_vertices; }
     /** Whether any pair can touch now. */
     bool can_touch() const { return stale || path >= next_look; }
+    /** Whether look() would look at more particles than those of the lists. */
+    bool reads_all() const { return can_touch() && (stale || path >= margin); }
     /** Make the lists good for where everything is now. @pre can_touch() */
     void look(const Particles &particles, const std::vector<Surface> &surfaces);
     /** The same, of all that are nearer than a distance [m], whatever there was before. */

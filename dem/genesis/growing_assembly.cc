@@ -179,7 +179,8 @@ namespace dem
     for (std::int64_t s = 0; s < steps; ++s)
       {
         find_forces();
-        move(particles, none, &contacts, {}, halves, material.damping, Vector3d::Zero(), accounts);
+        move(particles, none, &contacts, {}, halves, material.damping, Vector3d::Zero(), {0, accounts.size()},
+             accounts);
         forces_known   = false;
         double fastest = 0;
         for (const auto &block : accounts)

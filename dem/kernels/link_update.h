@@ -191,15 +191,14 @@ namespace dem::link_update
   void update_block(LinkSet                          &links,
                     const Particles                  &particles,
                     const LinkLawOf<typename P::Law> &laws,
-                    const std::size_t                 block,
+                    const LinkPart                   &part,
                     const std::size_t                 first_column)
   {
     BlockSums               sums;
     const HistoryColumns<P> history(links, first_column);
     const Pack              signs = difference_and_sum;
     const auto             &only  = laws.constants(0);
-    const std::size_t begin = block * links_per_block, end = std::min(begin + links_per_block, links.first.size());
-    for (std::size_t l = begin; l < end; l += pack_size)
+    for (std::size_t l = part.begin; l < part.end; l += pack_size)
       {
         prefetch_second_ends(links, particles, l + prefetch_distance);
         if constexpr (P::several_pairs)
@@ -210,6 +209,9 @@ namespace dem::link_update
 
     if (links.streams)
       finish_streaming();
+    if (!part.own)
+      return;
+    const std::size_t block   = part.block;
     LinkBlockAccount &account = links.accounts[block];
     account.friction += sum_of(sums.work.friction);
     account.damage += sum_of(sums.work.damage);
@@ -225,12 +227,11 @@ namespace dem::link_update
   template <typename P>
   void link_pass(LinkSet &links, const Particles &particles, const LinkLaw &law, const LinkLines &lines)
   {
-    const auto &laws  = static_cast<const LinkLawOf<typename P::Law> &>(law);
-    const auto  first = static_cast<std::ptrdiff_t>(lines.first_block),
-               end    = static_cast<std::ptrdiff_t>(lines.end_block);
+    const auto &laws        = static_cast<const LinkLawOf<typename P::Law> &>(law);
+    const auto [first, end] = links.parts_between(lines);
 #pragma omp parallel for schedule(static)
-    for (std::ptrdiff_t b = first; b < end; ++b)
-      update_block<P>(links, particles, laws, static_cast<std::size_t>(b), lines.first_column);
+    for (std::ptrdiff_t p = first; p < end; ++p)
+      update_block<P>(links, particles, laws, links.part(p), lines.first_column);
   }
 
   /** A mixture as a constant of the loop. */

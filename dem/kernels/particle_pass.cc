@@ -103,11 +103,12 @@ namespace dem
                        const StepHalves                  &step,
                        const double                       damping,
                        const Eigen::Vector3d             &gravity,
+                       const ParticleBlocks              &blocks,
                        std::vector<ParticleBlockAccount> &accounts)
     {
-      const auto blocks = static_cast<std::ptrdiff_t>(accounts.size());
+      const auto first = static_cast<std::ptrdiff_t>(blocks.begin), last = static_cast<std::ptrdiff_t>(blocks.end);
 #pragma omp parallel for schedule(static)
-      for (std::ptrdiff_t b = 0; b < blocks; ++b)
+      for (std::ptrdiff_t b = first; b < last; ++b)
         {
           const Lanes              lanes;
           const leap_frog::Lanes   moving;

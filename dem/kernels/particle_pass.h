@@ -24,6 +24,12 @@ namespace dem
       0; ///< not below the largest squared displacement of the step (sum of the components' largest) [m^2]
   };
 
+  /** Some blocks in a row. */
+  struct ParticleBlocks
+  {
+    std::size_t begin = 0, end = 0;
+  };
+
   /** The halves of the steps that meet at t_n [s]; equal unless the length of the step has changed there. */
   struct StepHalves
   {
@@ -39,6 +45,7 @@ namespace dem
  * velocities themselves (doc/theory/periodic-cell.md, 1): v += (G_new - G_old) x_n + dt G_old v_(n-1/2) + dt a leaves u_(n+1/2) =
  * u_(n-1/2) + dt a exactly. Damping and kinetic energy are those of u.
  *
+ * @param blocks   of particles that are moved
  * @param contacts may be null: there are none
  * @param surfaces force (3) [N] | moment (3) [N m] | 0 0 of surfaces on each particle; looked at by a pass for touched ones only
  * @param gravity  acceleration [m/s^2]; not looked at by a pass without weight
@@ -50,6 +57,7 @@ namespace dem
                                 const StepHalves                  &step,
                                 double                             damping,
                                 const Eigen::Vector3d             &gravity,
+                                const ParticleBlocks              &blocks,
                                 std::vector<ParticleBlockAccount> &accounts);
 
   /** How particles move on: what the pass is compiled for. */

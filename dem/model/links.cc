@@ -136,8 +136,21 @@ namespace dem
     streams = sizeof(double) * force.size() > last_level_cache();
   }
 
+  std::pair<std::ptrdiff_t, std::ptrdiff_t> LinkSet::parts_between(const LinkLines &lines) const
+  {
+    if (!in_parts)
+      return {static_cast<std::ptrdiff_t>(lines.first_block), static_cast<std::ptrdiff_t>(lines.end_block)};
+    const auto at = [&](const std::size_t block) {
+      return std::lower_bound(parts.begin(), parts.end(), block,
+                              [](const LinkPart &part, const std::size_t b) { return part.block < b; }) -
+             parts.begin();
+    };
+    return {at(lines.first_block), at(lines.end_block)};
+  }
+
   void LinkSet::tabulate(const std::size_t particles)
   {
+    in_parts              = false;
     const auto is_padding = [&](const std::size_t l) { return first[l] == static_cast<std::int32_t>(particles); };
     own_begin.assign(particles + 1, 0);
     other_begin.assign(particles + 1, 0);

@@ -18,6 +18,17 @@ namespace dem
   /** Numbers of a block's stress moment: nine, filled up to two cache lines. */
   constexpr std::size_t stress_record = 16;
 
+  /**
+   * Lines of a block that one of several ranks updates: all of a block that is its own, whose account it keeps; of others whole packs, as copies
+   * for the particles that it moves (doc/theory/ranks.md, 3).
+   */
+  struct LinkPart
+  {
+    std::size_t begin = 0, end = 0; ///< lines
+    std::size_t block = 0;
+    bool        own   = true;
+  };
+
   /** What a block of links reports besides forces. Padded to a cache line: one writer each. */
   struct alignas(64) LinkBlockAccount
   {
@@ -70,6 +81,9 @@ namespace dem
     base::Column
       stress_moments; ///< of each block a record of 16: sum l (x) f by rows (9) [N m] | 0 ..; only if periodic
 
+    bool                  in_parts = false; ///< only its parts are updated; ends when the set is sorted out anew
+    std::vector<LinkPart> parts;            ///< ascending
+
     std::vector<std::int32_t> own_begin;   ///< links whose first end is particle i: own_begin[i] .. own_begin[i + 1]
     std::vector<std::int32_t> owned;       ///< of several laws: these are places in `owned`, which are links, ascending
     std::vector<std::int32_t> other_begin; ///< as own_begin, into `others`
@@ -85,6 +99,18 @@ namespace dem
     std::size_t deleted() const { return count - padding - alive; }
     /** All lines of links that obey one law. */
     LinkLines whole() const { return {0, blocks(), 0}; }
+    /** Lines of a block, the idle ones that fill it up to whole packs included. */
+    LinkPart part_of_block(const std::size_t block) const
+    {
+      return {block * links_per_block, std::min((block + 1) * links_per_block, first.size()), block, true};
+    }
+    /** The parts that are updated, whole blocks where nothing else is said, by number; and those among lines of one law. */
+    LinkPart part(const std::ptrdiff_t number) const
+    {
+      const auto p = static_cast<std::size_t>(number);
+      return in_parts ? parts[p] : part_of_block(p);
+    }
+    std::pair<std::ptrdiff_t, std::ptrdiff_t> parts_between(const LinkLines &lines) const;
     /** A link by its place between own_begin[i] and own_begin[i + 1]. */
     std::size_t own(const std::int32_t place) const
     {
@@ -118,7 +144,7 @@ namespace dem
     /** History of a link as a row of numbers, in the order of `quantities`. */
     void get_history(std::size_t link, std::vector<double> &row) const;
     void set_history(std::size_t link, const std::vector<double> &row);
-    /** Sort out which links belong to which particle. @pre links of each law sorted by (first, second) */
+    /** Sort out which links belong to which particle; from now on all are updated. @pre links of each law sorted by (first, second) */
     void tabulate(std::size_t particles);
     /** Copy line `from` of another set to line `to` of this one. */
     void copy_line(const LinkSet &source, std::size_t from, std::size_t to);

@@ -31,9 +31,11 @@ namespace dem
   void OverlapWatch::moved(
     const double largest, const Frame &frame, const Particles &particles, const LinkSet &bonds, const LinkSet &contacts)
   {
-    path += largest;
-    if (path < frame.limit / 5 * frame.smallest_radius) // two of them come two fifths of the limit nearer meanwhile
-      return;
+    if (!looks_after(largest, frame))
+      {
+        path += largest;
+        return;
+      }
     path                         = 0;
     const DeepestOverlap overlap = deepest_overlap(particles, bonds, contacts);
     deepest_seen                 = std::max(deepest_seen, overlap.depth);

@@ -19,6 +19,12 @@ namespace dem
       std::int64_t step;
       double       time; ///< [s]
     };
+    /** Whether moved() by this would look [m]. */
+    bool looks_after(const double largest, const Frame &frame) const
+    {
+      return !(path + largest <
+               frame.limit / 5 * frame.smallest_radius); // two of them come two fifths of the limit nearer meanwhile
+    }
     /**
      * Particles have moved by this much at most [m].
      * @throws base::NumericalError, naming two of them, where they are pressed into each other beyond the limit

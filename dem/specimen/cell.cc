@@ -71,6 +71,7 @@ namespace dem
 
   base::Matrix6 ObservedSpecimen::affine_stiffness() const
   {
+    self->gather();
     require_cell(self->particles, "affine stiffness");
     return (stiffness_moment(self->particles, self->bonds, *self->bond_law) +
             stiffness_moment(self->particles, self->contacts, *self->contact_law)) /
@@ -79,6 +80,7 @@ namespace dem
 
   double ObservedSpecimen::force_ratio() const
   {
+    self->gather();
     const Particles &p    = self->particles;
     double           left = 0, all = 0;
     const auto       free = [&](const std::size_t i) {
@@ -110,6 +112,7 @@ namespace dem
 
   double ObservedSpecimen::unbalanced_ratio() const
   {
+    self->gather();
     const Particles &p            = self->particles;
     double           on_particles = 0;
     std::size_t      moving       = 0;

@@ -187,8 +187,8 @@ namespace dem
       }
     add_contacts(contacts, {}, particles, shape, *contact_law);
     if (parameters.emission_reach > 0)
-      emission = Emission(
-        emission_window(parameters.emission_reach, parameters.physics.dimension, particles, bonds, *bond_law));
+      emission =
+        Emission(emission_window(parameters.emission_reach, parameters.physics.dimension, particles, bonds, *bond_law));
   }
 
   void SpecimenCore::remove_bonds(const std::vector<bool> &among)

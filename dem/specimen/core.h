@@ -17,11 +17,14 @@
 #include "dem/specimen/held_particles.h"
 #include "dem/specimen/parameters.h"
 #include "dem/specimen/results.h"
+#include "dem/specimen/shared_work.h"
 #include "dem/specimen/velocity_kicks.h"
 
 #include <array>
 #include <functional>
 #include <memory>
+#include <optional>
+#include <utility>
 #include <vector>
 
 namespace dem
@@ -86,10 +89,20 @@ namespace dem
     OverlapWatch    overlaps;
     StiffeningWatch stiffening;
 
+    std::optional<SharedWork> shared; ///< with other ranks; none: this process does all
+
     /** Corrections that are refused once there was a step, and in a periodic cell. @param what names them @throws base::InputError */
     void refuse_late(const char *what) const;
     /** Where work of sudden changes of velocity is entered; before the first step nowhere: it is initial energy. */
     EnergyFlow *work_of_changes() { return step_count == 0 ? nullptr : &book.work; }
+    /** Before it is looked at from outside: what other ranks have computed. */
+    void gather();
+    /** Before contacts, lists or overlaps are looked for: where all particles are. */
+    void gather_places();
+    /** Particles that surfaces read in every step, ascending. */
+    std::vector<std::int32_t> read_by_surfaces() const;
+    /** Keep the step, with its factor, below the stable ones of some particles. */
+    void shorten_step_for(const std::vector<std::int32_t> &some);
     /** Everything needed to go on to the same bits. */
     void visit_state(base::StateVisitor &visitor);
 
@@ -207,9 +220,19 @@ namespace dem
     /** Move the surfaces, and take up what they have done in the halves of this step. */
     void advance_surfaces(const StepHalves &halves);
     /** A particle that passes its radius in a step may pass others, or a surface, unseen. @throws base::NumericalError naming it */
-    void refuse_too_fast(double largest_of_particles, double largest_of_surfaces) const;
+    void refuse_too_fast(double largest_of_particles, double largest_of_surfaces);
     /** NaN and infinity spread to velocities within a step. */
     void check_numbers() const;
+    /** Particles that this process moves: the first, and behind the last. */
+    std::pair<std::size_t, std::size_t> own_particles() const;
+    /** Whether other ranks do a part of the work already; all do all before the first step. */
+    bool shares() const { return shared && shared->planned(); }
+    /** @throws base::InputError */
+    void refuse_on_ranks(const char *what) const;
+    /** Share out with other ranks what is to be, before links are updated. */
+    void share_out();
+    /** Blocks of particles that this process moves. */
+    ParticleBlocks own_blocks() const { return shares() ? shared->bricks() : ParticleBlocks{0, accounts.size()}; }
     /** Laws take rotations of a step for small ones: note the largest. */
     void watch_turns();
   };

@@ -252,8 +252,9 @@ namespace dem
   {
     bond_pass(bonds, particles, *bond_law, bonds.whole());
     // A step of no length: forces are summed up, nothing moves, and the last motion is done with.
-    select_particle_pass(false, false, equal_radii, moments(), surroundings())(
-      particles, bonds, nullptr, surfaces.on_particles(), {0.0, 0.0}, 0.0, parameters.gravity, accounts);
+    select_particle_pass(false, false, equal_radii, moments(),
+                         surroundings())(particles, bonds, nullptr, surfaces.on_particles(), {0.0, 0.0}, 0.0,
+                                         parameters.gravity, {0, accounts.size()}, accounts);
     held.sum_forces(particles);
   }
 
@@ -371,6 +372,7 @@ namespace dem
 
   ElasticNetwork ObservedSpecimen::network() const
   {
+    self->gather();
     return network_of(self->particles, self->bonds, *self->bond_law, self->parameters.physics);
   }
 } // namespace dem

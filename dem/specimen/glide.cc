@@ -12,6 +12,7 @@ namespace dem
 {
   void SpecimenCore::begin_glide()
   {
+    refuse_on_ranks("Steps of surfaces within those of particles");
     if (surfaces.viscous())
       throw base::InputError(
         "Surfaces take no steps of their own within those of particles where their contacts have a "

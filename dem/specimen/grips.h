@@ -15,7 +15,7 @@ namespace dem
   class GripReadings
   {
   public:
-    explicit GripReadings(const SpecimenCore &specimen)
+    explicit GripReadings(SpecimenCore &specimen)
       : core(&specimen)
     {
     }
@@ -27,8 +27,8 @@ namespace dem
     /** Moment of all that the grip exerts on its particles in prescribed directions, about a point [m], [N m]. */
     Eigen::Vector3d reaction_moment(std::size_t grip, const Eigen::Vector3d &about) const;
 
-  private:
-    const SpecimenCore *core;
+  protected:
+    SpecimenCore *core;
   };
 
   /** Groups of particles with prescribed motion. Valid as long as the specimen. */
@@ -37,7 +37,6 @@ namespace dem
   public:
     explicit Grips(SpecimenCore &specimen)
       : GripReadings(specimen)
-      , core(&specimen)
     {
     }
 
@@ -48,8 +47,5 @@ namespace dem
     void set_velocities(std::size_t                         grip,
                         const std::vector<Eigen::Vector3d> &velocity,
                         const std::vector<Eigen::Vector3d> &spin);
-
-  private:
-    SpecimenCore *core;
   };
 } // namespace dem

@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <iterator>
 #include <string>
 
 namespace dem
@@ -46,6 +47,10 @@ namespace dem
       for (int c = 0; c < 6; ++c)
         if (grip.prescribed[c])
           particles.inverse_mass[record_size * static_cast<std::size_t>(i) + c] = 0.0;
+    std::vector<std::int32_t> all;
+    std::set_union(all_members.begin(), all_members.end(), held.members.begin(), held.members.end(),
+                   std::back_inserter(all));
+    all_members = std::move(all);
     grips.push_back(std::move(held));
     return grips.size() - 1;
   }

@@ -33,7 +33,9 @@ namespace dem
     void leave_to_partner(std::size_t grip, std::size_t particles);
 
     std::size_t size() const { return grips.size(); }
-    const Grip &grip(const std::size_t number) const { return grips.at(number).grip; }
+    /** Of all grips, in the particles' order, each once. */
+    const std::vector<std::int32_t> &members() const { return all_members; }
+    const Grip                      &grip(const std::size_t number) const { return grips.at(number).grip; }
 
     /**
      * Rates of all members alike, from now on [m/s, rad/s].
@@ -88,7 +90,8 @@ namespace dem
 
     static void set_rate(HeldGrip &held, std::size_t member, int component, Particles &particles, EnergyFlow *work);
 
-    std::vector<HeldGrip> grips;
+    std::vector<HeldGrip>     grips;
+    std::vector<std::int32_t> all_members;
     std::vector<std::pair<std::int32_t, std::size_t>>
       left; ///< of each particle the grip and its member that a partner moves; -1: none does; empty: none was left
   };

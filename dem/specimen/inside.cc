@@ -1,5 +1,6 @@
 #include "dem/specimen/inside.h"
 
+#include "dem/specimen/core.h"
 #include "dem/specimen/observation.h"
 
 namespace dem
@@ -8,7 +9,12 @@ namespace dem
   {
     struct Inside : ObservedSpecimen
     {
-      static const SpecimenCore &core_of(const ObservedSpecimen &specimen) { return *(specimen.*(&Inside::self)); }
+      static const SpecimenCore &core_of(const ObservedSpecimen &specimen)
+      {
+        SpecimenCore &core = *(specimen.*(&Inside::self));
+        core.gather();
+        return core;
+      }
     };
   } // namespace
 

@@ -34,15 +34,22 @@ namespace dem
   std::int64_t ObservedSpecimen::steps() const { return self->step_count; }
   double       ObservedSpecimen::time() const { return self->time; }
   double       ObservedSpecimen::time_step() const { return self->time_step; }
-  double       ObservedSpecimen::stable_step() const { return self->stable(); }
+
+  double ObservedSpecimen::stable_step() const
+  {
+    self->gather();
+    return self->stable();
+  }
 
   double ObservedSpecimen::critical_step() const
   {
+    self->gather();
     return dem::critical_step(self->particles, self->all_links(), self->parameters.physics.rotations);
   }
 
   Counts ObservedSpecimen::counts() const
   {
+    self->gather();
     const std::size_t in_place = self->bonds.broken();
     return {self->particles.count,
             self->bonds.alive - in_place,
@@ -78,6 +85,7 @@ namespace dem
 
   ParticleState ObservedSpecimen::particle(const std::size_t number) const
   {
+    self->gather();
     const Particles &p = self->particles;
     const auto       i = static_cast<std::size_t>(self->slot.at(number));
     const double    *v = &p.velocity[record_size * i];
@@ -89,12 +97,14 @@ namespace dem
 
   double ObservedSpecimen::stiffness_around(const std::size_t number) const
   {
+    self->gather();
     return dem::stiffness_around(self->particles, self->all_links(), self->parameters.physics.rotations,
                                  self->slot.at(number), 0, self->stiffening.ahead());
   }
 
   EnergyAccount ObservedSpecimen::energy() const
   {
+    self->gather();
     EnergyAccount         e;
     const auto           &s           = *self;
     const SurfaceEnergies of_surfaces = s.surface_energies();
@@ -152,12 +162,14 @@ namespace dem
 
   Eigen::Vector3d ObservedSpecimen::displacement(const std::size_t particle) const
   {
+    self->gather();
     const auto i = static_cast<std::size_t>(self->slot.at(particle));
     return self->particles.position_of(i) - Eigen::Vector3d(&self->particles.reference[3 * i]);
   }
 
   double ObservedSpecimen::mean_damage() const
   {
+    self->gather();
     if (self->made_links == 0)
       return 0.0;
     ExactSum sum; // links may lie in any order: doc/theory/ranks.md, 6
@@ -174,6 +186,7 @@ namespace dem
 
   ParticleOutput ObservedSpecimen::particles() const
   {
+    self->gather();
     const Particles             &p = self->particles;
     const std::size_t            n = p.count;
     std::vector<double>          damage(n, 0.0);
@@ -287,6 +300,7 @@ namespace dem
 
   Eigen::Vector3d ObservedSpecimen::force_on(const std::vector<std::size_t> &group) const
   {
+    self->gather();
     const std::vector<bool> is_of = members(group, self->slot);
     Eigen::Vector3d         sum   = Eigen::Vector3d::Zero();
     for (const LinkSet *links : {&self->bonds, &self->contacts})
@@ -311,6 +325,7 @@ namespace dem
 
   LinkOutput ObservedSpecimen::links() const
   {
+    self->gather();
     LinkOutput out;
     for (const LinkQuantity &quantity : self->bond_law->columns())
       if (quantity.shown && self->bond_law->bonds())

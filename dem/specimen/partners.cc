@@ -108,6 +108,7 @@ namespace dem
   {
     if (core->parameters.physics.periodic)
       throw base::InputError("Corrections: a periodic cell has no place for a partner's body.");
+    core->refuse_on_ranks("Corrections of a step");
     if (core->step_count == 0)
       core->begin();
     core->step({&particles, &correct});
@@ -132,6 +133,7 @@ namespace dem
 
   void Partners::apply_impulse(const std::size_t number, const Eigen::Vector3d &change, const Eigen::Vector3d &spin)
   {
+    core->refuse_on_ranks("Impulses on particles");
     Particles            &p    = core->particles;
     const auto            slot = core->slot.at(number);
     const auto            at   = record_size * static_cast<std::size_t>(slot);

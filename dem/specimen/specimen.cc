@@ -122,5 +122,23 @@ namespace dem
       }
   }
 
-  void Specimen::visit_state(base::StateVisitor &visitor) { self->visit_state(visitor); }
+  void Specimen::visit_state(base::StateVisitor &visitor)
+  {
+    self->gather();
+    self->visit_state(visitor);
+  }
+
+  void Specimen::share_among(std::shared_ptr<Ranks> ranks, const std::int64_t move_every)
+  {
+    if (!self->clumps.empty())
+      throw base::InputError(
+        "Clumps of particles: not on several ranks (mpirun), as those of one would lie on different "
+        "ones. Start one process.");
+    self->shared.emplace(std::move(ranks), move_every);
+  }
+
+  std::vector<RankWork> Specimen::shares() const
+  {
+    return self->shares() ? self->shared->work(self->bonds, self->contacts) : std::vector<RankWork>{};
+  }
 } // namespace dem

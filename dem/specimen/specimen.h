@@ -4,6 +4,7 @@
 #include "dem/model/initial_equilibrium.h"
 #include "dem/model/materials.h"
 #include "dem/model/packing.h"
+#include "dem/ranks/ranks.h"
 #include "dem/specimen/observation.h"
 #include "dem/specimen/partners.h"
 
@@ -55,6 +56,15 @@ namespace dem
     void set_time_step(double step);
     /** Local damping from the next step on: little while waves matter, more to come to rest. @throws base::InputError outside [0, 1) */
     void set_damping(double damping);
+    /**
+     * Share the work of steps with other ranks, which have the same specimen and make the same calls from now on (doc/theory/ranks.md). What is
+     * read of it then is gathered from all of them, so all must read it; readings that say they are cheap are not.
+     * @param move_every steps after which other ranks get other parts, for tests; 0: never
+     * @throws base::InputError for a specimen with clumps
+     */
+    void share_among(std::shared_ptr<Ranks> ranks, std::int64_t move_every = 0);
+    /** What each rank does, and has sent; empty until work is shared. */
+    std::vector<RankWork> shares() const;
     /** Set velocities (by packing number) before the first step; they count as initial energy. In a periodic cell: about its motion. */
     void set_velocity(std::size_t particle, const Eigen::Vector3d &velocity, const Eigen::Vector3d &spin);
     /**

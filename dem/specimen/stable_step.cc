@@ -75,6 +75,7 @@ namespace dem
   {
     if (!stiffening.moved(largest_displacement()))
       return;
+    gather();
     longest_step = std::min(longest_step, parameters.step_factor * stable());
     time_step    = std::min(time_step, longest_step);
   }

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <sstream>
 
 namespace dem
@@ -18,6 +19,46 @@ namespace dem
     /** Deleted links stay as idle lines until they are this part of all. */
     constexpr double idle_lines_allowed = 0.05;
   } // namespace
+
+  void SpecimenCore::gather()
+  {
+    if (!shared)
+      return;
+    shared->gather_particles(particles);
+    shared->gather_bonds(bonds);
+    shared->gather_contacts(contacts);
+  }
+
+  void SpecimenCore::gather_places()
+  {
+    if (shared)
+      shared->gather_places(particles);
+  }
+
+  void SpecimenCore::refuse_on_ranks(const char *what) const
+  {
+    if (shared)
+      throw base::InputError(std::string(what) + ": not on several ranks (mpirun). Start one process.");
+  }
+
+  void SpecimenCore::shorten_step_for(const std::vector<std::int32_t> &some)
+  {
+    double least = std::numeric_limits<double>::infinity();
+    for (const std::int32_t i : some)
+      if (!shares() || shared->owns(i))
+        least = std::min(least, parameters.step_factor * stable(i));
+    longest_step = std::min(longest_step, shares() && !some.empty() ? shared->least(least) : least);
+  }
+
+  void SpecimenCore::share_out()
+  {
+    const bool changes = shared->changes_ranges(step_count);
+    if (changes || !bonds.in_parts) // others may move other particles from now on
+      gather();
+    if (changes)
+      shared->change_ranges(bonds, contacts);
+    shared->plan(particles, bonds, contacts);
+  }
 
   void SpecimenCore::step(const StepPartner &partner)
   {
@@ -35,17 +76,29 @@ namespace dem
   void SpecimenCore::find_link_forces()
   {
     const double per_second = last_step > 0 ? 1 / last_step : 0.0;
-    bonds.per_second        = bond_law->viscous() ? per_second : 0.0;
-    contacts.per_second     = contact_law->viscous() ? per_second : 0.0;
+    if (shared)
+      share_out();
+    bonds.per_second    = bond_law->viscous() ? per_second : 0.0;
+    contacts.per_second = contact_law->viscous() ? per_second : 0.0;
     bond_pass(bonds, particles, *bond_law, bonds.whole());
     if (contacts.alive > 0)
       contact_pass(contacts, particles, *contact_law, contacts.whole());
+    if (shared)
+      {
+        shared->links_updated();
+        if (parameters.physics.periodic)
+          shared->share_stress_moments(bonds, contacts);
+        shared->share_events(particles, bonds, contacts);
+      }
     if (parameters.physics.periodic)
       sum_stress();
     settle_events(bonds, *bond_law);
     settle_events(contacts, *contact_law);
-    if (emission.listens())
-      emission.listen(particles, bonds, contacts, cracks.events(), time);
+    if (!emission.listens())
+      return;
+    if (emission.hears(cracks.events()))
+      gather();
+    emission.listen(particles, bonds, contacts, cracks.events(), time);
   }
 
   void SpecimenCore::move_particles(const StepHalves   &halves,
@@ -58,7 +111,9 @@ namespace dem
     if (partner.particles)
       enter_velocities(partner, before_step);
     select_particle_pass(contacts.alive > 0, parameters.damping > 0, equal_radii, moments(), surroundings(touched))(
-      particles, bonds, &contacts, of_surfaces, halves, parameters.damping, parameters.gravity, accounts);
+      particles, bonds, &contacts, of_surfaces, halves, parameters.damping, parameters.gravity, own_blocks(), accounts);
+    if (shared)
+      shared->share_motion(particles, accounts, read_by_surfaces());
     if (!clumps.empty())
       clumps.move(particles, halves, parameters.damping, parameters.gravity, accounts);
     if (!partner.particles)
@@ -80,8 +135,10 @@ namespace dem
       {
         const double largest = largest_displacement();
         refuse_too_fast(largest, 0);
-        overlaps.moved(largest, {parameters.physics.largest_overlap, smallest_radius, step_count, time}, particles,
-                       bonds, contacts);
+        const OverlapWatch::Frame now{parameters.physics.largest_overlap, smallest_radius, step_count, time};
+        if (overlaps.looks_after(largest, now))
+          gather_places();
+        overlaps.moved(largest, now, particles, bonds, contacts);
         if (contact_law->stiffens())
           watch_stiffening();
         make_contacts();
@@ -114,6 +171,8 @@ namespace dem
         book.work.now += block.pushing_before;
         book.work.after += block.pushing_after;
       }
+    if (shared)
+      shared->share_forces(particles, held.members());
     book.work.now += kicks.work(particles, halves.before);
     kicks.clear();
     held.sum_forces(particles);
@@ -158,7 +217,11 @@ namespace dem
             }
         }
     if (law.bonds() && static_cast<double>(links.deleted()) > idle_lines_allowed * static_cast<double>(links.count))
-      links.compact(particles.count);
+      {
+        if (shared) // others may get other parts of what is left
+          gather();
+        links.compact(particles.count);
+      }
   }
 
   void SpecimenCore::delete_link(LinkSet &links, const LinkReader &link, const std::size_t l)
@@ -186,17 +249,21 @@ namespace dem
   {
     if (!search.moved(largest_displacement(), (time_step * particles.cell.gradient()).norm()))
       return;
+    gather_places();
     const auto searches = search.searches();
     const auto born     = search.look(particles, bonds, contacts);
     if (contact_law->waits() && search.searches() != searches)
       drop_distant_contacts();
     if (born.empty())
       return;
+    if (shared)
+      shared->gather_contacts(contacts);
     add_contacts(contacts, born, particles, shape, *contact_law);
     // Links only soften, but contacts stiffen the particles they join: keep the factor on the present bound.
+    std::vector<std::int32_t> joined;
     for (const auto &pair : born)
-      for (const std::int32_t i : {pair.first, pair.second})
-        longest_step = std::min(longest_step, parameters.step_factor * stable(i));
+      joined.insert(joined.end(), {pair.first, pair.second});
+    shorten_step_for(joined);
     time_step = std::min(time_step, longest_step);
   }
 
@@ -210,16 +277,15 @@ namespace dem
 
   namespace
   {
-    /** Whether all are finite, several at a time: what is not, is not zero times zero either. */
-    bool all_finite(const base::Column &records)
+    /** Whether some in a row are finite, several at a time: what is not, is not zero times zero either. */
+    bool all_finite(const base::Column &records, std::size_t at, const std::size_t end)
     {
       std::array<double, 4 * record_size> sums{};
-      std::size_t                         at = 0;
-      for (; at + sums.size() <= records.size(); at += sums.size())
+      for (; at + sums.size() <= end; at += sums.size())
         for (std::size_t c = 0; c < sums.size(); ++c)
           sums[c] += 0 * records[at + c];
       double sum = 0;
-      for (; at < records.size(); ++at)
+      for (; at < end; ++at)
         sum += 0 * records[at];
       for (const double each : sums)
         sum += each;
@@ -229,25 +295,39 @@ namespace dem
 
   void SpecimenCore::watch_turns()
   {
-    double fastest = 0; // squared
-    for (std::size_t i = 0; i < particles.count; ++i)
+    double fastest           = 0; // squared
+    const auto [first, last] = own_particles();
+    for (std::size_t i = first; i < last; ++i)
       fastest = std::max(fastest, Eigen::Vector3d(&particles.velocity[record_size * i + 3]).squaredNorm());
+    if (shares())
+      fastest = shared->largest(fastest);
     largest_turn = std::max(largest_turn, time_step * std::sqrt(fastest));
   }
 
   void SpecimenCore::check_numbers() const
   {
-    if (all_finite(particles.velocity))
+    const auto [first, last] = own_particles();
+    std::size_t found        = particles.count;
+    if (!all_finite(particles.velocity, record_size * first, record_size * last))
+      for (std::size_t i = first; i < last && found == particles.count; ++i)
+        for (int c = 0; c < 6; ++c)
+          if (!std::isfinite(particles.velocity[record_size * i + c]))
+            found = i;
+    if (shares()) // all stop, by the same words
+      found = static_cast<std::size_t>(shared->least(static_cast<double>(found)));
+    if (found == particles.count)
       return;
-    for (std::size_t i = 0; i < particles.count; ++i)
-      for (int c = 0; c < 6; ++c)
-        if (!std::isfinite(particles.velocity[record_size * i + c]))
-          {
-            std::ostringstream message;
-            message << "step " << step_count << ", time " << time << " s: particle " << particles.number[i] + 1
-                    << " no longer has a finite velocity. Lower Time/Step factor (" << parameters.step_factor
-                    << ") or the loading rate, and check the material.";
-            throw base::NumericalError(message.str());
-          }
+    std::ostringstream message;
+    message << "step " << step_count << ", time " << time << " s: particle " << particles.number[found] + 1
+            << " no longer has a finite velocity. Lower Time/Step factor (" << parameters.step_factor
+            << ") or the loading rate, and check the material.";
+    throw base::NumericalError(message.str());
+  }
+
+  std::pair<std::size_t, std::size_t> SpecimenCore::own_particles() const
+  {
+    if (!shares())
+      return {0, particles.count};
+    return {static_cast<std::size_t>(shared->first()), static_cast<std::size_t>(shared->last())};
   }
 } // namespace dem

@@ -75,13 +75,25 @@ namespace dem
       gliding.pushes.add_work(surfaces, particles.motion);
     const UnseenMotion shown(particles, gliding.under_way ? nullptr : &unseen);
     const double       per_second = last_step > 0 ? 1 / last_step : 0.0;
-    for (const std::int32_t i : surfaces.find_forces(particles, shape, per_second))
-      longest_step = std::min(longest_step, parameters.step_factor * stable(i));
+    if (surfaces.near_facets().reads_all())
+      gather_places();
+    shorten_step_for(surfaces.find_forces(particles, shape, per_second));
     time_step = std::min(time_step, longest_step);
     log_torn_glue();
     if (glides)
       gliding.pushes.add_work(surfaces, particles.motion);
     gliding.looked = gliding.glided;
+  }
+
+  std::vector<std::int32_t> SpecimenCore::read_by_surfaces() const
+  {
+    std::vector<std::int32_t> some = surfaces.near_facets().particles();
+    for (const SurfaceBonds &glue : surfaces.bonds())
+      for (std::size_t b = 0; b < glue.count(); ++b)
+        some.push_back(glue.particle_of(b));
+    std::sort(some.begin(), some.end());
+    some.erase(std::unique(some.begin(), some.end()), some.end());
+    return some;
   }
 
   void SpecimenCore::log_torn_glue()
@@ -117,10 +129,11 @@ namespace dem
     surfaces.moved(largest_displacement(), of_vertices);
   }
 
-  void SpecimenCore::refuse_too_fast(const double of_particles, const double of_surfaces) const
+  void SpecimenCore::refuse_too_fast(const double of_particles, const double of_surfaces)
   {
     if (of_particles + of_surfaces < smallest_radius)
       return;
+    gather_places();
     for (std::size_t i = 0; i < particles.count; ++i)
       {
         const double distance = Eigen::Vector3d(&particles.motion[record_size * i]).norm() + of_surfaces;
