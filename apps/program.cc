@@ -76,9 +76,7 @@ namespace apps
 
     int complain(const std::string &message, const int status)
     {
-      if (speaks_of_failure())
-        fmt::print(stderr, "breccia: {}\n", message);
-      return status;
+      return end_of_failed_rank(status, [&] { fmt::print(stderr, "breccia: {}\n", message); });
     }
 
     int perform(const Action &action, const std::string &command)

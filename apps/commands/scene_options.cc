@@ -48,6 +48,8 @@ namespace apps
 
   void print_notes(const CheckedScene &scene)
   {
+    if (launched_rank() > 0)
+      return;
     for (const std::string &note : scene.notes)
       fmt::print(stderr, "note: {}\n", note);
   }
@@ -57,7 +59,7 @@ namespace apps
     if (launched_ranks() > 1 && !scene.scene->shares_ranks())
       throw base::InputError(
         fmt::format("{}: Kind = {}: runs in one process, and mpirun has started {}. Use --threads; "
-                    "only scenes of kind continuum share their work among processes.",
+                    "only scenes of kind cell, continuum, particles and uniaxial share their work among processes.",
                     scene.file, scene.kind, launched_ranks()));
   }
 } // namespace apps

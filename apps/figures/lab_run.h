@@ -1,7 +1,7 @@
 #pragma once
 
 #include "apps/models/loading.h"
-#include "apps/process/interrupt.h"
+#include "apps/process/mpi_session.h"
 #include "apps/process/progress.h"
 #include "apps/results/life_cycle.h"
 #include "apps/results/run_request.h"
@@ -58,6 +58,7 @@ namespace apps
       test->open(folder);
     }
 
+    bool whole_on_each_rank() const override { return true; }
     void begin(const Record &) override {}
 
     void                                   visit_state(RunState &state) override;
@@ -75,7 +76,7 @@ namespace apps
           test->advance();
           record(test->row());
         }
-      if (test->finished() && !interrupted()) // else the resumed run completes it
+      if (test->finished() && !interrupted_on_any_rank()) // else the resumed run completes it
         complete_test();
     }
 
@@ -106,8 +107,10 @@ namespace apps
     {
       const Progress progress(stage() + ", results");
       test->complete();
-      if (!location.empty())
-        test->write(location);
+      on_first_rank([this] {
+        if (!location.empty())
+          test->write(location);
+      });
       complete.push_back(test->result);
       if (finished())
         return;
@@ -141,7 +144,8 @@ namespace apps
     if (state.reads())
       {
         make_test();
-        test->open(location);
+        if (!location.empty())
+          test->open(location);
       }
     test->visit_state(state);
     state.group("result_under_way");

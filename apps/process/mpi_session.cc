@@ -1,5 +1,6 @@
 #include "apps/process/mpi_session.h"
 
+#include "apps/process/interrupt.h"
 #include "base/errors.h"
 #include "postprocess/files/errors.h"
 
@@ -71,6 +72,9 @@ namespace apps
       std::string                  before; ///< empty: it has not been changed
     };
 
+    /** For those that have failed, apart from what others still say to each other. */
+    MPI_Comm failures = MPI_COMM_NULL;
+
     enum Failure : int
     {
       none,
@@ -101,6 +105,8 @@ namespace apps
     sigaction(SIGINT, nullptr, &handlers[0]);
     sigaction(SIGTERM, nullptr, &handlers[1]);
     session() = std::make_unique<Session>(count, given, 1);
+    if (rank_count() > 1)
+      MPI_Comm_dup(MPI_COMM_WORLD, &failures);
     sigaction(SIGINT, &handlers[0], nullptr);
     sigaction(SIGTERM, &handlers[1], nullptr);
   }
@@ -152,6 +158,45 @@ namespace apps
       throw postprocess::OutputError(outcome.second);
     if (outcome.first == Failure::other)
       throw std::runtime_error(outcome.second);
+  }
+
+  bool interrupted_on_any_rank() { return on_any_rank(interrupted()); }
+
+  double largest_of_ranks(const double here)
+  {
+    return rank_count() > 1 ? dealii::Utilities::MPI::max(here, MPI_COMM_WORLD) : here;
+  }
+
+  void start_mpi_for_ranks()
+  {
+    if (launched_ranks() > 1)
+      start_mpi();
+  }
+
+  int end_of_failed_rank(const int status, const std::function<void()> &say)
+  {
+    if (rank_count() == 1)
+      {
+        if (speaks_of_failure())
+          say();
+        return status;
+      }
+    MPI_Request others;
+    MPI_Ibarrier(failures, &others);
+    int            all               = 0;
+    constexpr long tenth_of_a_second = 100000000;
+    for (int tenths = 0; tenths < 20 && all == 0; ++tenths)
+      {
+        MPI_Test(&others, &all, MPI_STATUS_IGNORE);
+        constexpr timespec wait{0, tenth_of_a_second};
+        if (all == 0)
+          ::nanosleep(&wait, nullptr);
+      }
+    if (all == 0 || is_first_rank())
+      say();
+    if (all == 0)
+      MPI_Abort(MPI_COMM_WORLD, status);
+    return status;
   }
 
   bool on_any_rank(const bool here)

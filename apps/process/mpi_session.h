@@ -36,4 +36,19 @@ namespace apps
 
   /** True on every rank if it is on any. */
   bool on_any_rank(bool here);
+
+  /** Whether interrupted() (interrupt.h) is true on any rank. */
+  bool interrupted_on_any_rank();
+
+  /** The largest that any rank has. */
+  double largest_of_ranks(double here);
+
+  /** Where mpirun has started several processes, make MPI ready. */
+  void start_mpi_for_ranks();
+
+  /**
+   * End after a failure. Where all ranks fail, this returns on all of them within a moment, and the first is to speak of it; where one does alone,
+   * it says so, and the others, which wait for it, are ended. @param say prints the message @return the exit status
+   */
+  int end_of_failed_rank(int status, const std::function<void()> &say);
 } // namespace apps

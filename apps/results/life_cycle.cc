@@ -6,6 +6,7 @@
 #include "apps/results/run_observer.h"
 #include "apps/results/shared_state.h"
 #include "base/errors.h"
+#include "dem/specimen/observation.h"
 
 #include <fmt/format.h>
 
@@ -17,13 +18,21 @@ namespace apps
   {
     /** Visits a state with the checkpoint of the first rank, or of the only one. */
     template <typename Checkpoint>
-    void visit_with(Checkpoint *checkpoint, const bool reads, const std::function<void(RunState &)> &visit)
+    void visit_with(Checkpoint                            *checkpoint,
+                    const RunWork                         &work,
+                    const bool                             reads,
+                    const std::function<void(RunState &)> &visit)
     {
       std::optional<WholeState<Checkpoint>> whole;
       if (checkpoint)
         whole.emplace(*checkpoint, reads);
       if (rank_count() == 1)
         return visit(*whole);
+      if (work.whole_on_each_rank())
+        {
+          CopiedState copied(whole ? &*whole : nullptr, reads);
+          return visit(copied);
+        }
       SharedState shared(whole ? &*whole : nullptr, reads);
       visit(shared);
     }
@@ -35,6 +44,21 @@ namespace apps
     return fmt::format("Go on with: {}breccia {} {} --resume", ranks, request.command,
                        (request.output_folder / "running" / "scene.prm").string());
   }
+
+  namespace
+  {
+    void append_shares(nlohmann::json &summary, const dem::ObservedSpecimen &specimen)
+    {
+      for (const dem::RankWork &rank : specimen.shares())
+        summary["ranks"].push_back({{"particles", rank.particles},
+                                    {"links", rank.links},
+                                    {"copied_links", rank.copies},
+                                    {"ghosts", rank.ghosts},
+                                    {"neighbours", rank.neighbours},
+                                    {"messages", rank.messages},
+                                    {"bytes", rank.bytes}});
+    }
+  } // namespace
 
   // --- When to save ---
 
@@ -100,7 +124,7 @@ namespace apps
           files = std::make_unique<RunFiles>(request);
           files->begin(work.series_columns());
         });
-        work.keep_files(location, true);
+        keep_files(true);
       }
     const RunOutline outline{request.scene_file, work.size(), work.series_columns(), location, false};
     tell(request, &RunObserver::begins, outline);
@@ -117,9 +141,9 @@ namespace apps
       checkpoint = files->last_checkpoint();
     });
     work.reopen(location);
-    work.keep_files(location, false);
+    keep_files(false);
     std::int64_t rows = 0;
-    visit_with(checkpoint.get(), true, [&](RunState &state) { visit_run(state, rows); });
+    visit_with(checkpoint.get(), work, true, [&](RunState &state) { visit_run(state, rows); });
     result.series = empty_series(work.series_columns(), "series");
     on_first_rank([&] {
       checkpoint->finish();
@@ -129,13 +153,26 @@ namespace apps
     tell(request, &RunObserver::begins, outline);
   }
 
+  void LifeCycle::by_those_who_write(const std::function<void()> &action) const
+  {
+    if (work.whole_on_each_rank())
+      on_first_rank(action);
+    else
+      action();
+  }
+
+  void LifeCycle::keep_files(const bool fresh)
+  {
+    by_those_who_write([&] { work.keep_files(location, fresh); });
+  }
+
   void LifeCycle::visit_run(RunState &state, std::int64_t &rows)
   {
     std::int64_t ranks   = rank_count();
     double       seconds = wall_seconds();
     state.group("run");
     state.scalar("ranks", ranks);
-    if (ranks != rank_count())
+    if (ranks != rank_count() && !work.whole_on_each_rank())
       throw base::InputError(fmt::format("--resume: {} was written by {} ranks, and there are {} now. Start as many.",
                                          (location / checkpoint_name).string(), ranks, rank_count()));
     state.scalar("wall_seconds", seconds);
@@ -159,7 +196,7 @@ namespace apps
     std::unique_ptr<postprocess::CheckpointWriter> checkpoint;
     std::int64_t                                   rows = 0;
     on_first_rank([&] { checkpoint = files->new_checkpoint(rows); });
-    visit_with(checkpoint.get(), false, [&](RunState &state) { visit_run(state, rows); });
+    visit_with(checkpoint.get(), work, false, [&](RunState &state) { visit_run(state, rows); });
     on_first_rank([&] { checkpoint->commit(); });
   }
 
@@ -170,8 +207,6 @@ namespace apps
       on_first_rank([&] { files->record(row); });
     tell(request, &RunObserver::row, row);
   }
-
-  bool LifeCycle::stopped() const { return on_any_rank(interrupted()); }
 
   void LifeCycle::compute()
   {
@@ -184,7 +219,7 @@ namespace apps
           }
         advance();
         tell(request, &RunObserver::progress, work.done(), work.details());
-        if (stopped())
+        if (interrupted_on_any_rank())
           {
             const AnsweringInterrupt answering;
             save();
@@ -223,9 +258,11 @@ namespace apps
     if (keeps_files())
       on_first_rank([&] { files->flush(); });
     RunFindings found = work.findings(result.series, wall_seconds());
+    if (found.specimen)
+      append_shares(found.summary, *found.specimen);
     if (keeps_files())
       {
-        work.write_results(location, result.series);
+        by_those_who_write([&] { work.write_results(location, result.series); });
         on_first_rank([&] { files->publish(found.summary); });
       }
     result.summary  = std::move(found.summary);

@@ -59,7 +59,9 @@ namespace apps
     void write_checkpoint();
     void visit_run(RunState &state, std::int64_t &rows);
     void record(const SeriesRow &row);
-    bool stopped() const;
+    void keep_files(bool fresh);
+    /** On the first rank where every rank has all, otherwise on all of them. */
+    void by_those_who_write(const std::function<void()> &action) const;
 
     bool   keeps_files() const { return !request.output_folder.empty(); }
     double wall_seconds() const { return seconds_before + watch.seconds(); }

@@ -56,6 +56,12 @@ namespace apps
 
     virtual ~RunWork() = default;
 
+    /**
+     * Whether every rank has all of the state, not a part of it. Then the first alone keeps files and writes results, a checkpoint says nothing of
+     * ranks, and any number of them can go on from it.
+     */
+    virtual bool whole_on_each_rank() const { return false; }
+
     /** Make the model of a run that starts. Nothing is written yet: what can be refused is refused here. @throws base::InputError */
     virtual void prepare() = 0;
 

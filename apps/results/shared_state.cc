@@ -67,4 +67,31 @@ namespace apps
   }
   void SharedState::scalar(const std::string &name, double &value) { visit_scalar(inner, reader, name, value); }
   void SharedState::scalar(const std::string &name, std::int64_t &value) { visit_scalar(inner, reader, name, value); }
+
+  CopiedState::CopiedState(RunState *on_first, const bool reads)
+    : inner(on_first)
+    , reader(reads)
+  {
+  }
+
+  void CopiedState::group(const std::string &name)
+  {
+    on_first_rank([&] { inner->group(name); });
+  }
+  void CopiedState::column(const std::string &name, base::Column &values)
+  {
+    on_first_rank([&] { inner->column(name, values); });
+    if (!reader)
+      return;
+    const auto all = broadcast(MPI_COMM_WORLD, std::vector<double>(values.begin(), values.end()));
+    values.assign(all.begin(), all.end());
+  }
+  void CopiedState::column(const std::string &name, std::vector<std::int32_t> &values)
+  {
+    on_first_rank([&] { inner->column(name, values); });
+    if (reader)
+      values = broadcast(MPI_COMM_WORLD, values);
+  }
+  void CopiedState::scalar(const std::string &name, double &value) { visit_scalar(inner, reader, name, value); }
+  void CopiedState::scalar(const std::string &name, std::int64_t &value) { visit_scalar(inner, reader, name, value); }
 } // namespace apps

@@ -31,4 +31,23 @@ namespace apps
     RunState *inner;
     bool      reader;
   };
+
+  /** State of which each rank has all: the first one's is stored, and given back to all. */
+  class CopiedState : public RunState
+  {
+  public:
+    /** @param on_first_rank as above */
+    CopiedState(RunState *on_first_rank, bool reads);
+
+    bool reads() const override { return reader; }
+    void group(const std::string &name) override;
+    void column(const std::string &name, base::Column &values) override;
+    void column(const std::string &name, std::vector<std::int32_t> &values) override;
+    void scalar(const std::string &name, double &value) override;
+    void scalar(const std::string &name, std::int64_t &value) override;
+
+  private:
+    RunState *inner;
+    bool      reader;
+  };
 } // namespace apps

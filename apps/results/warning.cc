@@ -1,5 +1,7 @@
 #include "apps/results/warning.h"
 
+#include "apps/process/mpi_session.h"
+
 #include <fmt/format.h>
 
 #include <cstdio>
@@ -10,5 +12,11 @@ namespace apps
   {
     if (!problem.empty())
       fmt::print(stderr, "breccia: warning: no {}: {}\n", what, problem);
+  }
+
+  void give_note(const std::string &text)
+  {
+    if (is_first_rank())
+      fmt::print(stderr, "breccia: note: {}\n", text);
   }
 } // namespace apps

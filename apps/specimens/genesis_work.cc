@@ -1,6 +1,7 @@
 #include "apps/specimens/genesis_work.h"
 
 #include "apps/process/interrupt.h"
+#include "apps/process/mpi_session.h"
 #include "apps/process/progress.h"
 #include "apps/process/version.h"
 #include "apps/results/warning.h"
@@ -46,14 +47,14 @@ namespace apps
     const base::Stopwatch watch;
     genesis.advance(steps_at_once);
     // Steps of a like piece of time: only where it is cut depends on the clock, nothing of the result.
-    const double took = watch.seconds();
+    const double took = largest_of_ranks(watch.seconds());
     if (took < 0.5 * seconds_at_once)
       steps_at_once *= 2;
     else if (took > 2 * seconds_at_once && steps_at_once > 1)
       steps_at_once /= 2;
     if (!genesis.finished())
       return;
-    if (const std::optional<GenesisCache> cache = genesis_cache())
+    if (const std::optional<GenesisCache> cache = genesis_cache(); cache && is_first_rank())
       cache->keep(genesis, parameters);
   }
 

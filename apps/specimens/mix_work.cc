@@ -1,6 +1,7 @@
 #include "apps/specimens/mix_work.h"
 
 #include "apps/models/mix_materials.h"
+#include "apps/results/warning.h"
 #include "dem/mesostructure/bodies_apart.h"
 #include "postprocess/pictures/plot.h"
 
@@ -88,7 +89,7 @@ namespace apps
   {
     const bool       periodic = packing.periodic_cell.has_value();
     const MixFigures figures  = mix_figures(mix, box, periodic);
-    fmt::print(stderr, "breccia: note: mix: {}\n", figures.text());
+    give_note("mix: " + figures.text());
     const std::vector<std::int32_t> of = dem::aggregates_of(figures.placed.structure, packing);
     std::vector<std::int32_t>       copy(figures.placed.structure.inclusions.size(), 0);
     if (linked > 0)

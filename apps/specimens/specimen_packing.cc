@@ -2,6 +2,7 @@
 
 #include "apps/process/interrupt.h"
 #include "apps/process/progress.h"
+#include "apps/results/warning.h"
 #include "apps/specimens/genesis_work.h"
 #include "apps/specimens/packing_cache.h"
 #include "apps/specimens/packing_density.h"
@@ -82,7 +83,7 @@ namespace apps
   {
     dem::Tiling tiling = dem::tile_and_crop(packing, box);
     if (!tiling.note.empty())
-      fmt::print(stderr, "breccia: note: {}\n", tiling.note);
+      give_note(tiling.note);
     return std::move(tiling.packing);
   }
 
@@ -121,10 +122,10 @@ namespace apps
       switch (specimen.loose_pieces)
         {
         case SpecimenSection::LoosePieces::keep:
-          fmt::print(stderr, "breccia: note: {}. All are kept.\n", finding);
+          give_note(finding + ". All are kept.");
           return packing;
         case SpecimenSection::LoosePieces::drop:
-          fmt::print(stderr, "breccia: note: {}. The largest is the specimen.\n", finding);
+          give_note(finding + ". The largest is the specimen.");
           return particles_where(packing, [&](const std::size_t i) { return pieces.piece[i] == 0; });
         default:
           throw base::InputError(finding +
@@ -148,14 +149,12 @@ namespace apps
       const PackingDensity density = density_in(packing, specimen.box_edges(), dimension);
       if (!density.has_sparse_faces())
         return;
-      fmt::print(
-        stderr,
-        "breccia: note: the faces of the specimen are cut and sparse: packing fraction {:.3f} inside, {:.3f} of "
-        "Specimen/Box size. It is softer and weaker than its inside. {}\n",
-        density.inside, density.whole,
-        specimen.source == SpecimenSection::Source::generator ?
-          "Specimen/Generator/Faces = moulded gives flat faces." :
-          "`breccia pack --moulded` makes packings with flat faces.");
+      give_note(fmt::format("the faces of the specimen are cut and sparse: packing fraction {:.3f} inside, {:.3f} of "
+                            "Specimen/Box size. It is softer and weaker than its inside. {}",
+                            density.inside, density.whole,
+                            specimen.source == SpecimenSection::Source::generator ?
+                              "Specimen/Generator/Faces = moulded gives flat faces." :
+                              "`breccia pack --moulded` makes packings with flat faces."));
     }
 
     dem::Packing make_particles(const SpecimenSection &specimen, const int dimension, std::optional<dem::Packing> *cell)

@@ -61,6 +61,11 @@ namespace dem
             self->largest_turn};
   }
 
+  std::vector<RankWork> ObservedSpecimen::shares() const
+  {
+    return self->shares() ? self->shared->work(self->bonds, self->contacts) : std::vector<RankWork>{};
+  }
+
   std::size_t ObservedSpecimen::bytes() const
   {
     return self->particles.bytes() + self->bonds.bytes() + self->contacts.bytes();

@@ -4,6 +4,7 @@
 #include "dem/emission/emission_event.h"
 #include "dem/model/break_log.h"
 #include "dem/model/energy.h"
+#include "dem/ranks/ranks.h"
 #include "dem/specimen/grips.h"
 #include "dem/specimen/parameters.h"
 #include "dem/specimen/results.h"
@@ -38,8 +39,9 @@ namespace dem
     double stable_step() const;   ///< per-particle bound (5.1) of the present state [s]
     double critical_step() const; ///< sharp: 2/sqrt(largest eigenvalue) by Lanczos, of the undamaged elastic system [s]
 
-    Counts      counts() const;
-    std::size_t bytes() const; ///< memory held by particles, links and contacts
+    Counts                counts() const;
+    std::vector<RankWork> shares() const; ///< of the work, of each rank (Specimen::share_among()); empty: there is one
+    std::size_t           bytes() const;  ///< memory held by particles, links and contacts
 
     ParticleState   particle(std::size_t number) const; ///< by packing number
     ParticleOutput  particles() const;

@@ -136,9 +136,4 @@ namespace dem
         "ones. Start one process.");
     self->shared.emplace(std::move(ranks), move_every);
   }
-
-  std::vector<RankWork> Specimen::shares() const
-  {
-    return self->shares() ? self->shared->work(self->bonds, self->contacts) : std::vector<RankWork>{};
-  }
 } // namespace dem

@@ -63,8 +63,6 @@ namespace dem
      * @throws base::InputError for a specimen with clumps
      */
     void share_among(std::shared_ptr<Ranks> ranks, std::int64_t move_every = 0);
-    /** What each rank does, and has sent; empty until work is shared. */
-    std::vector<RankWork> shares() const;
     /** Set velocities (by packing number) before the first step; they count as initial energy. In a periodic cell: about its motion. */
     void set_velocity(std::size_t particle, const Eigen::Vector3d &velocity, const Eigen::Vector3d &spin);
     /**

@@ -1,6 +1,8 @@
 #include "apps/runs/cell/run.h"
 
 #include "apps/figures/energy_terms.h"
+#include "apps/process/mpi_ranks.h"
+#include "apps/process/mpi_session.h"
 #include "apps/process/progress.h"
 #include "apps/results/life_cycle.h"
 #include "apps/results/warning.h"
@@ -29,6 +31,7 @@ namespace apps
     const Progress progress("links");
     specimen =
       std::make_shared<dem::Specimen>(packing, model.specimen(), model.mixed().materials(packing.material_names));
+    share_among_ranks(*specimen);
     materials = MaterialCounts(packing.material_names, *specimen);
     test.emplace(*specimen, model.loading());
     constexpr double limit = 1e12; // a year at thirty thousand steps a second
@@ -165,5 +168,9 @@ namespace apps
     warn_of_missing("cell_crack.png", draw_crack(folder / "cell_crack.png"));
   }
 
-  RunResult run(const CellModel &model, const RunRequest &request) { return CellRun(request, model).execute(); }
+  RunResult run(const CellModel &model, const RunRequest &request)
+  {
+    start_mpi_for_ranks();
+    return CellRun(request, model).execute();
+  }
 } // namespace apps

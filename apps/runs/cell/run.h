@@ -32,6 +32,7 @@ namespace apps
     static std::vector<postprocess::SeriesColumn> columns_of_series(); ///< of any model
 
   private:
+    bool                                   whole_on_each_rank() const override { return true; }
     void                                   prepare() override;
     void                                   reopen(const std::filesystem::path &folder) override;
     void                                   keep_files(const std::filesystem::path &folder, bool fresh) override;

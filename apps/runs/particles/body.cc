@@ -1,7 +1,8 @@
 #include "apps/runs/particles/body.h"
 
 #include "apps/figures/energy_terms.h"
-#include "apps/process/interrupt.h"
+#include "apps/process/mpi_ranks.h"
+#include "apps/process/mpi_session.h"
 #include "base/errors.h"
 #include "base/flat_state.h"
 #include "dem/specimen/packed_clumps.h"
@@ -45,6 +46,7 @@ namespace apps
                                          "moduli and sizes: all in SI units.",
                                          timed ? "Time/End time" : "Laboratory/Speed",
                                          timed ? what.end_time : what.laboratory.asked.speed, steps, body.time_step()));
+    share_among_ranks(body);
   }
 
   double ParticlesBody::done() const
@@ -106,7 +108,7 @@ namespace apps
       if (lab)
         lab->observe();
       drive_next_step();
-      return body.time() < time && !interrupted() && !test_is_over() && !(comes_back && test_is_loading());
+      return body.time() < time && !interrupted_on_any_rank() && !test_is_over() && !(comes_back && test_is_loading());
     });
   }
 

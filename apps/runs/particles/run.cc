@@ -2,6 +2,7 @@
 
 #include "apps/figures/drawn_curve.h"
 #include "apps/forecasts/duration.h"
+#include "apps/process/mpi_session.h"
 #include "apps/process/progress.h"
 #include "apps/results/life_cycle.h"
 #include "apps/results/warning.h"
@@ -71,7 +72,8 @@ namespace apps
     if (model.source.source == SpecimenSection::Source::genesis)
       {
         genesis = std::make_unique<GenesisWork>(model.source, model.physics.dimension);
-        genesis->take_kept();
+        if (!on_any_rank(!genesis->is_kept()))
+          genesis->take_kept();
         return;
       }
     packing = model.packing();
@@ -117,6 +119,7 @@ namespace apps
 
   void ParticlesRun::reopen(const std::filesystem::path &folder)
   {
+    resumed = folder;
     if (model.source.source == SpecimenSection::Source::genesis) // its state says whether it is over
       return prepare();
     packing = kept_packing(folder);
@@ -137,9 +140,10 @@ namespace apps
     if (genesis) // a reader, of a run whose particles have grown up
       {
         genesis.reset();
-        packing = kept_packing(location);
+        packing = kept_packing(resumed);
         make_body();
-        open(location);
+        if (!location.empty())
+          open(location);
       }
     apps::visit_state(state, start);
     sampling.visit_state(state);
@@ -319,6 +323,7 @@ namespace apps
 
   RunResult run(const ParticlesModel &model, const RunRequest &request)
   {
+    start_mpi_for_ranks();
     return ParticlesRun(request, model).execute();
   }
 } // namespace apps

@@ -33,6 +33,7 @@ namespace apps
     RunResult execute();
 
   private:
+    bool                                   whole_on_each_rank() const override { return true; }
     void                                   prepare() override;
     void                                   reopen(const std::filesystem::path &folder) override;
     void                                   keep_files(const std::filesystem::path &folder, bool fresh) override;
@@ -79,7 +80,8 @@ namespace apps
     ParticlesModel                 model;
     dem::Packing                   packing;
     std::string                    grown_text; ///< what genesis has reached, of a run that saw its end
-    std::filesystem::path          location;   ///< where results grow
+    std::filesystem::path          location;   ///< where this process writes results that grow
+    std::filesystem::path          resumed;    ///< where a run that goes on left them
     std::unique_ptr<GenesisWork>   genesis;    ///< while particles grow; then there is the body
     std::shared_ptr<ParticlesBody> body;       ///< shared with the result, which holds its specimen
     std::unique_ptr<ParticlesBody>

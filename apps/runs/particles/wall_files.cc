@@ -1,5 +1,6 @@
 #include "apps/runs/particles/wall_files.h"
 
+#include "apps/results/warning.h"
 #include "base/errors.h"
 #include "dem/facets/slivers.h"
 #include "fem/mesh/gmsh_file.h"
@@ -135,8 +136,8 @@ namespace apps
     if (mesh.facet.empty())
       throw base::InputError(file + ": there is no triangle in it.");
     if (const std::size_t dropped = dem::drop_slivers(mesh); dropped > 0)
-      fmt::print(stderr, "breccia: note: {}: {} of {} facets have no area and are left out.\n", file, dropped,
-                 dropped + mesh.facet.size());
+      give_note(
+        fmt::format("{}: {} of {} facets have no area and are left out.", file, dropped, dropped + mesh.facet.size()));
     if (mesh.facet.empty())
       throw base::InputError(file + ": none of its triangles has an area.");
     for (Eigen::Vector3d &x : mesh.vertex)

@@ -2,6 +2,7 @@
 
 #include "apps/figures/emission_figures.h"
 #include "apps/figures/energy_terms.h"
+#include "apps/process/mpi_ranks.h"
 #include "apps/process/progress.h"
 #include "apps/results/warning.h"
 #include "base/errors.h"
@@ -53,8 +54,9 @@ namespace apps
     result.notes.gauge_length = test.gauge_length();
     result.time_step          = specimen.time_step();
     result.at_start           = specimen.counts();
-    materials                 = MaterialCounts(packing.material_names, specimen);
-    const double sign         = result.load == UniaxialLoad::tension ? 1 : -1;
+    share_among_ranks(specimen);
+    materials         = MaterialCounts(packing.material_names, specimen);
+    const double sign = result.load == UniaxialLoad::tension ? 1 : -1;
     test.watch([this, sign](const dem::UniaxialSample &now) { sideways.note(specimen, axis, sign * now.stress); });
   }
 

@@ -60,13 +60,13 @@ namespace apps
     std::vector<SceneKind> &known_kinds()
     {
       static std::vector<SceneKind> kinds = {
-        {"cell", "a periodic cell led in time along a path of strains and stresses", make_scene<CellModel>},
+        {"cell", "a periodic cell led in time along a path of strains and stresses", make_scene<CellModel, true>},
         {"continuum", "a solid of finite elements, static past its peak or explicit", make_scene<ContinuumModel, true>},
         {"coupled", "particles and a solid of finite elements that touch, in motion", make_scene<CoupledModel>},
         {"homogenisation", "macroscopic stiffness of periodic packings, swept over link parameters",
          make_scene<HomogenisationModel>},
         {"particles", "specimens and loose particles, bonded or not, moved and thrown by formula",
-         make_scene<ParticlesModel>},
+         make_scene<ParticlesModel, true>},
         {"peridynamic_core", "a solid of finite elements with a core of bonds over a horizon, in motion",
          make_scene<PeridynamicCoreModel>},
         {"peridynamics", "a rod, plate or block of bonds over a horizon, at rest or in motion, that may break",
@@ -79,7 +79,7 @@ namespace apps
          make_scene<StructureModel>},
         {"transmission", "packets of waves that run through particles and on into a continuum",
          make_scene<TransmissionModel>},
-        {"uniaxial", "a bonded-particle specimen pulled and crushed", make_scene<UniaxialModel>},
+        {"uniaxial", "a bonded-particle specimen pulled and crushed", make_scene<UniaxialModel, true>},
       };
       return kinds;
     }
