@@ -74,6 +74,8 @@ namespace dem
       body.inverse_inertia = clump.inertia.inverse();
     for (const std::int32_t i : members)
       body.arms.push_back(particles.position_of(static_cast<std::size_t>(i)) - clump.centre);
+    all_pebbles.insert(all_pebbles.end(), body.members.begin(), body.members.end());
+    std::sort(all_pebbles.begin(), all_pebbles.end());
     bodies.push_back(std::move(body));
   }
 

@@ -29,7 +29,9 @@ namespace dem
 
     bool        empty() const { return bodies.empty(); }
     std::size_t size() const { return bodies.size(); }
-    ClumpState  state(std::size_t clump) const;
+    /** Of all clumps, in the particles' order. */
+    const std::vector<std::int32_t> &pebbles() const { return all_pebbles; }
+    ClumpState                       state(std::size_t clump) const;
     /** Mass that a pebble stands for [kg]. @pre it is one */
     double mass_of_pebble(const Particles &particles, std::size_t pebble) const;
 
@@ -97,6 +99,7 @@ namespace dem
     static void
     sum_forces(const Body &body, const Particles &particles, Eigen::Vector3d &force, Eigen::Vector3d &couple);
 
-    std::vector<Body> bodies;
+    std::vector<Body>         bodies;
+    std::vector<std::int32_t> all_pebbles;
   };
 } // namespace dem

@@ -179,6 +179,7 @@ namespace dem
                         const double          *before,
                         const double          *now,
                         std::array<double, 2> &work);
+    void move_clumps(const StepHalves &halves);
     void end_step();
     /** The particles let surfaces take several steps in one of theirs: see Specimen::glide(). */
     void   begin_glide();

@@ -130,10 +130,6 @@ namespace dem
 
   void Specimen::share_among(std::shared_ptr<Ranks> ranks, const std::int64_t move_every)
   {
-    if (!self->clumps.empty())
-      throw base::InputError(
-        "Clumps of particles: not on several ranks (mpirun), as those of one would lie on different "
-        "ones. Start one process.");
     self->shared.emplace(std::move(ranks), move_every);
   }
 } // namespace dem

@@ -43,11 +43,16 @@ namespace dem
 
   void SpecimenCore::shorten_step_for(const std::vector<std::int32_t> &some)
   {
+    if (some.empty())
+      return;
+    const bool each_its_own = shares() && clumps.empty(); // a clump's depends on what touches any of its pebbles
+    if (!each_its_own)
+      gather();
     double least = std::numeric_limits<double>::infinity();
     for (const std::int32_t i : some)
-      if (!shares() || shared->owns(i))
+      if (!each_its_own || shared->owns(i))
         least = std::min(least, parameters.step_factor * stable(i));
-    longest_step = std::min(longest_step, shares() && !some.empty() ? shared->least(least) : least);
+    longest_step = std::min(longest_step, each_its_own ? shared->least(least) : least);
   }
 
   void SpecimenCore::share_out()
@@ -112,16 +117,27 @@ namespace dem
       enter_velocities(partner, before_step);
     select_particle_pass(contacts.alive > 0, parameters.damping > 0, equal_radii, moments(), surroundings(touched))(
       particles, bonds, &contacts, of_surfaces, halves, parameters.damping, parameters.gravity, own_blocks(), accounts);
+    if (!clumps.empty())
+      move_clumps(halves);
     if (shared)
       shared->share_motion(particles, accounts, read_by_surfaces());
-    if (!clumps.empty())
-      clumps.move(particles, halves, parameters.damping, parameters.gravity, accounts);
     if (!partner.particles)
       return account(halves);
     const auto work = let_correct(halves, partner);
     account(halves);
     book.work.now += work[0];
     book.work.after += work[1];
+  }
+
+  /** Ranks that share all else move all clumps each, which may lie across their bricks. */
+  void SpecimenCore::move_clumps(const StepHalves &halves)
+  {
+    if (shares())
+      {
+        shared->share_forces(particles, clumps.pebbles());
+        accounts.back() = {};
+      }
+    clumps.move(particles, halves, parameters.damping, parameters.gravity, accounts);
   }
 
   void SpecimenCore::end_step()

@@ -211,6 +211,51 @@ namespace
     return std::make_unique<Free>(std::move(specimen));
   }
 
+  /** Dumb-bells of two that fall into a box, each thrown and turned in its own way. */
+  std::unique_ptr<Body> tumbling_clumps()
+  {
+    dem::LinearContactParameters grains;
+    grains.effective_modulus    = 1e8;
+    grains.stiffness_ratio      = 1.5;
+    grains.friction_coefficient = 0.5;
+    dem::SpecimenParameters parameters;
+    parameters.density           = 2600;
+    parameters.interaction_ratio = 1;
+    parameters.damping           = 0.2;
+    parameters.gravity           = {0, 0, -9.81};
+    dem::Packing       packing   = cluster::cubic_lattice(8, 8, 12, 1e-3);
+    dem::UniformRandom random(4);
+    for (Vector3d &x : packing.centre)
+      x = 1.05 * x + Vector3d(1.5e-3, 1.5e-3, 1.5e-3);
+    dem::Specimen specimen(packing, parameters, grains);
+    const double  mass = 2600 * 4 / 3 * 3.141592653589793 * 1e-9;
+    for (std::size_t i = 0; i + 64 < packing.size(); i += 128)
+      for (std::size_t k = i; k < i + 64; ++k)
+        {
+          dem::RigidClump clump;
+          clump.particles = {k, k + 64};
+          clump.mass      = 2 * mass;
+          clump.centre    = 0.5 * (packing.centre[k] + packing.centre[k + 64]);
+          clump.inertia   = mass * Vector3d(3e-6, 3e-6, 0.8e-6).asDiagonal();
+          specimen.clumps().add(clump);
+        }
+    dem::SurfaceParameters box;
+    box.name    = "box";
+    box.mesh    = dem::box(Vector3d(0, 0, 0), Vector3d(0.019, 0.019, 1), {true, true, true, true, true, false});
+    box.contact = grains;
+    specimen.surfaces().add(box);
+    std::vector<dem::AskedVelocity> asked;
+    for (std::size_t i = 0; i < packing.size(); ++i)
+      {
+        asked.emplace_back();
+        asked.back().particle = i;
+        asked.back().given    = {{true, true, true, true, true, true}};
+        asked.back().velocity = Vector3d(0, 0, -4) + 2 * cluster::random_vector(random);
+      }
+    specimen.set_velocities(asked);
+    return std::make_unique<Free>(std::move(specimen));
+  }
+
   dem::Specimen thrown_apart(const dem::LinkMaterials &materials, const int dimension = 3, const double emission = 0)
   {
     dem::SpecimenParameters p = cluster::bonded(1.2);
@@ -340,6 +385,7 @@ namespace
     return {{"concrete that is pulled apart", [] { return std::make_unique<Pulled>(); }, 800, 100},
             {"a cell under stresses", [] { return std::make_unique<CellUnderStress>(); }, 600, 10},
             {"grains that fall into a box", falling_grains, 600, 0},
+            {"clumps that tumble", tumbling_clumps, 500, 0},
             {"three laws in two materials", three_laws, 150, 100},
             {"flat joints", [] { return std::make_unique<Free>(thrown_apart(joints())); }, 150, 100},
             {"parallel bonds in the plane, with emission",
@@ -405,7 +451,7 @@ namespace
 TEST_CASE("the work of a specimen shared among ranks leaves it in the same state to the last bit", "[dem][ranks]")
 {
   for (const Case &each : cases())
-    check_on_ranks(each, {{3, 40, false}, {8, 0, true}});
+    check_on_ranks(each, {{2, 0, true}, {3, 40, false}});
 }
 
 TEST_CASE("the same for other numbers of ranks, and after more steps", "[dem][ranks][slow]")
@@ -413,7 +459,7 @@ TEST_CASE("the same for other numbers of ranks, and after more steps", "[dem][ra
   for (Case each : cases())
     {
       each.steps *= 2;
-      check_on_ranks(each, {{2, 50, true}, {4, 0, false}, {5, 30, true}});
+      check_on_ranks(each, {{4, 0, false}, {5, 30, true}, {8, 50, false}});
     }
 }
 
@@ -452,13 +498,6 @@ TEST_CASE("where one rank finds no number, all stop by the same words", "[dem][r
 TEST_CASE("what ranks cannot share is refused", "[dem][ranks]")
 {
   rank_threads::run(1, [&](const std::shared_ptr<dem::Ranks> &ranks) {
-    dem::Specimen clumped(cluster::pair_of_spheres(1e-3, 1e-3, 1.5e-3), cluster::bonded(1.5), cluster::concrete());
-    dem::RigidClump clump;
-    clump.particles = {0, 1};
-    clump.mass    = 1e-3;
-    clump.inertia = 1e-9 * Eigen::Matrix3d::Identity();
-    clumped.clumps().add(clump);
-    CHECK_THROWS_WITH(clumped.share_among(ranks), Catch::Contains("clump", Catch::CaseSensitive::No));
     dem::Specimen coupled(bar(300), cluster::bonded(1.5), cluster::concrete());
     coupled.share_among(ranks);
     CHECK_THROWS_WITH(coupled.partners().apply_impulse(0, Vector3d::UnitX(), Vector3d::Zero()),
