@@ -4,7 +4,10 @@
 #include "apps/forecasts/duration.h"
 #include "apps/process/exit_status.h"
 #include "apps/process/interrupt.h"
+#include "apps/process/mpi_ranks.h"
+#include "apps/process/mpi_session.h"
 #include "apps/specimens/rank_shares.h"
+#include "base/stopwatch.h"
 #include "dem/laws/cpm.h"
 #include "dem/packing/lattice.h"
 #include "dem/ranks/exact_sum.h"
@@ -13,10 +16,16 @@
 
 #include <fmt/format.h>
 
+#include <mpi.h>
+
+#include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <functional>
 #include <random>
 #include <string>
+#include <thread>
 #include <vector>
 
 namespace apps
@@ -164,8 +173,77 @@ namespace apps
     }
   } // namespace
 
+  namespace
+  {
+    /** The ranks that have nothing to do sleep until the first is ready: those that wait for a message keep a processor busy. */
+    void wait_for_first_rank(const std::function<void()> &work)
+    {
+      MPI_Request ready;
+      if (is_first_rank())
+        work();
+      MPI_Ibarrier(MPI_COMM_WORLD, &ready);
+      for (int done = 0; done == 0;)
+        {
+          std::this_thread::sleep_for(std::chrono::milliseconds(5));
+          MPI_Test(&ready, &done, MPI_STATUS_IGNORE);
+        }
+    }
+
+    /** The same number of steps on each rank, which must all take part. @return seconds of a step */
+    double seconds_of_steps(dem::Specimen &body, const std::int64_t steps)
+    {
+      body.advance(2); // shares are found, and pages touched
+      const base::Stopwatch watch;
+      body.advance(steps);
+      return watch.seconds() / static_cast<double>(steps);
+    }
+
+    int run_shared_steps(const RanksBench &bench)
+    {
+      const int              cells  = bench.quick ? 16 : bench.cells;
+      constexpr std::int64_t rounds = 3;
+      std::vector<double>    alone, shared;
+      dem::Specimen          body  = cube_of_lattice(cells);
+      const double           count = static_cast<double>(body.counts().particles);
+      const std::int64_t     steps = std::max<std::int64_t>(5, static_cast<std::int64_t>(2e7 / count));
+      dem::Specimen          other = body;
+      share_among_ranks(other);
+      for (std::int64_t k = 0; k < rounds; ++k)
+        {
+          wait_for_first_rank([&] { alone.push_back(seconds_of_steps(body, steps)); });
+          shared.push_back(seconds_of_steps(other, steps));
+        }
+      const std::vector<dem::RankWork> work = other.shares();
+      if (!is_first_rank())
+        return exit_success;
+      const auto   ranks  = static_cast<std::size_t>(rank_count());
+      const double one    = *std::min_element(alone.begin(), alone.end()),
+                   all    = *std::min_element(shared.begin(), shared.end());
+      const auto   shares = dem::share_out(body, ranks);
+      const double update = one / dem::seconds_of_step(dem::share_out(body, 1), 1.0, dem::Network());
+      const double model  = dem::seconds_of_step(shares, update, dem::Network());
+      std::int64_t sent = 0, copies = 0, links = 0;
+      for (const dem::RankWork &rank : work)
+        {
+          sent = std::max(sent, rank.bytes);
+          copies += rank.copies;
+          links += rank.links;
+        }
+      const double steps_taken = static_cast<double>(rounds * (steps + 2));
+      fmt::print(
+        "{:.0f} particles on {} ranks: a step takes {:.4g} s alone and {:.4g} s shared, {:.2f} times as fast; {:.4g} s "
+        "({:.2f} times) expected. {:.2f} % of links copied, {:.0f} kB sent a step by a rank at most.\n",
+        count, ranks, one, all, one / all, model, one / model,
+        100 * static_cast<double>(copies) / static_cast<double>(links), 1e-3 * static_cast<double>(sent) / steps_taken);
+      return exit_success;
+    }
+  } // namespace
+
   int run_ranks_bench(const RanksBench &bench)
   {
+    start_mpi_for_ranks();
+    if (rank_count() > 1)
+      return run_shared_steps(bench);
     const BenchResults results(bench.folder, "ranks");
     catch_interrupts();
     const std::vector<SumRow> sums = {time_sums("of 20 exponents", 20), time_sums("of 1000 exponents", 1000)};

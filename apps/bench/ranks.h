@@ -15,7 +15,7 @@ namespace apps
   /**
    * What sums without loss cost beside plain ones, and how a cube of a face-centred cubic lattice of CPM links is shared out among 1 to 64 ranks:
    * copies, ghosts, neighbours, bytes and the efficiency that the model of doc/theory/ranks.md, 4 expects, for steps as fast as this process
-   * takes them.
+   * takes them. Under mpirun instead: steps of the cube on the first rank alone, and then shared among all, beside what the model expects.
    *
    * Written to ranks.csv, ranks.md and ranks.png. @return exit status. @throws postprocess::OutputError
    */

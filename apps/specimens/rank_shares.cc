@@ -36,9 +36,9 @@ namespace apps
     const dem::Network                network;
     const double                      alone = all.work - static_cast<double>(all.copied),
                  particles                  = static_cast<double>(body.counts().particles);
-    std::string text = fmt::format("  ranks        {}, of {} to {} bricks of {} particles; no run can be on more than "
-                                   "one rank yet\n",
-                                   ranks, all.least_bricks, all.most_bricks, dem::particles_per_brick);
+    std::string text                        = fmt::format(
+                             "  ranks        {}, of {} to {} bricks of {} particles; each holds all of them, {:.0f} MB\n", ranks,
+                             all.least_bricks, all.most_bricks, dem::particles_per_brick, 1e-6 * static_cast<double>(body.bytes()));
     text +=
       fmt::format("  shares       {} links and {} copies of cut ones ({:.2g} %); the largest has {:.2f} times the "
                   "mean work\n",

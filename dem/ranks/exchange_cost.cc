@@ -16,12 +16,13 @@ namespace dem
   {
     double slowest = 0;
     for (const RankShare &share : shares)
-      {
-        const auto inner = static_cast<double>(share.inner), outer = static_cast<double>(share.work - share.inner);
-        slowest = std::max(slowest, std::max(seconds_per_work * inner, seconds_of_exchange(share, network)) +
-                                      seconds_per_work * outer);
-      }
-    return slowest + network.latency * std::ceil(std::log2(static_cast<double>(shares.size())));
+      slowest =
+        std::max(slowest, seconds_per_work * static_cast<double>(share.work) + seconds_of_exchange(share, network));
+    if (shares.size() == 1)
+      return slowest;
+    const double of_bricks = static_cast<double>(bytes_per_brick * shares.back().end_brick) / network.bandwidth;
+    return slowest + of_bricks +
+           meetings_per_step * network.latency * std::ceil(std::log2(static_cast<double>(shares.size())));
   }
 
   double

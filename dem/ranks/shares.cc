@@ -73,11 +73,9 @@ namespace dem
       return best;
     }
 
-    /** Enter owned links and copies, ghosts not yet in order, and mark the bricks that cut links end in. */
-    std::vector<bool>
-    enter_links(const LinkEnds &links, const std::vector<std::size_t> &rank, std::vector<RankShare> &shares)
+    /** Enter owned links and copies, ghosts not yet in order. */
+    void enter_links(const LinkEnds &links, const std::vector<std::size_t> &rank, std::vector<RankShare> &shares)
     {
-      std::vector<bool> outer(rank.size(), false);
       for (std::size_t l = 0; l < links.size(); ++l)
         {
           const std::int32_t J = links.first[l], K = links.second[l];
@@ -88,9 +86,7 @@ namespace dem
           other.copied.push_back(static_cast<std::int32_t>(l));
           owner.ghosts.push_back(K);
           other.ghosts.push_back(J);
-          outer[brick_of(J)] = outer[brick_of(K)] = true;
         }
-      return outer;
     }
 
     RankNeighbour &neighbour_of(RankShare &share, const std::size_t rank)
@@ -134,8 +130,8 @@ namespace dem
     const std::vector<std::size_t>  first = evened_ranges(owned, links, ranks);
     const std::vector<std::int64_t> work  = with_copies(owned, links, first);
     std::vector<RankShare>          shares(ranks);
-    const std::vector<std::size_t>  rank  = ranks_of_bricks(first);
-    const std::vector<bool>         outer = enter_links(links, rank, shares);
+    const std::vector<std::size_t>  rank = ranks_of_bricks(first);
+    enter_links(links, rank, shares);
     sort_ghosts(rank, shares);
     for (std::size_t r = 0; r < ranks; ++r)
       {
@@ -145,10 +141,7 @@ namespace dem
         share.first_particle = std::min(first[r] * particles_per_brick, particles);
         share.end_particle   = std::min(first[r + 1] * particles_per_brick, particles);
         for (std::size_t b = first[r]; b < first[r + 1]; ++b)
-          {
-            share.work += work[b];
-            share.inner += outer[b] ? 0 : work[b];
-          }
+          share.work += work[b];
       }
     return shares;
   }

@@ -29,8 +29,7 @@ namespace dem
     std::vector<std::int32_t>  copied;     ///< links, ascending
     std::vector<std::int32_t>  ghosts;     ///< particles, ascending
     std::vector<RankNeighbour> neighbours; ///< ascending by rank
-    std::int64_t               work  = 0;  ///< updates of a link: of particles, owned links and copies
-    std::int64_t               inner = 0;  ///< of it what waits for no ghost: of bricks that no cut link ends in
+    std::int64_t               work = 0;   ///< updates of a link: of particles, owned links and copies
 
     std::size_t particles() const { return end_particle - first_particle; }
     std::size_t received() const { return ghosts.size(); }

@@ -1,6 +1,5 @@
 #include "dem/specimen/rank_shares.h"
 
-#include "base/errors.h"
 #include "dem/specimen/core.h"
 #include "dem/specimen/inside.h"
 
@@ -22,10 +21,7 @@ namespace dem
   std::vector<RankShare> share_out(const ObservedSpecimen &specimen, const std::size_t ranks)
   {
     const SpecimenCore &core = core_of(specimen);
-    if (!core.clumps.empty())
-      throw base::InputError(
-        "ranks: pebbles of clumps cannot be shared out yet: a brick does not keep those of one clump together.");
-    LinkEnds ends;
+    LinkEnds            ends;
     append_ends(ends, core.bonds);
     append_ends(ends, core.contacts);
     return share_out(core.particles.count, ends, ranks);

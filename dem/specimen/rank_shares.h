@@ -11,7 +11,7 @@ namespace dem
 
   /**
    * How a specimen's particles, and its bonds and contacts as they are now, would be shared out among ranks. Contacts with surfaces belong to the
-   * rank of their particle and count as nothing. @throws base::InputError where there are clumps: their pebbles would be torn apart
+   * rank of their particle and count as nothing.
    */
   std::vector<RankShare> share_out(const ObservedSpecimen &specimen, std::size_t ranks);
 } // namespace dem

@@ -1,7 +1,7 @@
 // Scenes with cells on several ranks and threads, and interrupted: the same bits.
 #include "tests/apps/program.h"
+#include "tests/apps/program_on_ranks.h"
 #include "tests/apps/scratch_folder.h"
-#include "tests/apps/signalled_ranks.h"
 #include "tests/places.h"
 
 #include <catch2/catch.hpp>
@@ -14,30 +14,6 @@ using namespace apps_tests;
 
 namespace
 {
-  /** The program on so many ranks and threads, as a shell says it; 0 ranks: without mpirun. */
-  std::string program_on(const int ranks, const int threads, const std::string &prefix = "")
-  {
-    const std::string mpi = ranks == 0 ? "" : places::mpirun() + " --oversubscribe -np " + std::to_string(ranks) + " ";
-    return "OMP_NUM_THREADS=" + std::to_string(threads) + " " + mpi + prefix + places::program();
-  }
-
-  /** What the command says lands in the file "said". */
-  int shell(const ScratchFolder &folder, const std::string &command)
-  {
-    return std::system(("cd " + folder.path().string() +
-                        " && export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 && { " + command +
-                        "; } > said 2>&1")
-                         .c_str());
-  }
-
-  std::string run_of(const std::string &scene, const std::vector<std::string> &changes)
-  {
-    std::string words = " run " + places::sources() + "/apps/scenes/" + scene;
-    for (const std::string &change : changes)
-      words += " -s '" + change + "'";
-    return words;
-  }
-
   /** A coarse plate whose small cells damage. */
   std::string plate(const std::string &step)
   {
@@ -50,15 +26,15 @@ namespace
 
   void same_on_ranks(const ScratchFolder &folder, const std::string &words)
   {
-    REQUIRE(shell(folder, program_on(0, 1) + words + " -o one") == 0);
+    REQUIRE(shell_in(folder, program_on(0, 1) + words + " -o one") == 0);
     const std::string one = content_of(folder / "one/series.csv");
-    REQUIRE(shell(folder, program_on(0, 2) + words + " -o threads") == 0);
+    REQUIRE(shell_in(folder, program_on(0, 2) + words + " -o threads") == 0);
     CHECK(content_of(folder / "threads/series.csv") == one);
     for (const int ranks : {1, 2, 3})
       {
         const std::string name = "ranks_" + std::to_string(ranks);
         INFO(name);
-        const int status = shell(folder, program_on(ranks, ranks == 2 ? 2 : 1) + words + " -o " + name);
+        const int status = shell_in(folder, program_on(ranks, ranks == 2 ? 2 : 1) + words + " -o " + name);
         INFO(content_of(folder / "said"));
         REQUIRE(status == 0);
         CHECK(content_of(folder / (name + "/series.csv")) == one);
@@ -87,13 +63,13 @@ TEST_CASE("More ranks than cells give the same bits and print what one does", "[
             "Materials/solid/cells/Specimen/Generator/Cell particles=32", "Materials/solid/cells/When localised=go on",
             "Control/First step=0.5", "Control/Largest step=0.5", "Control/End=4"})
       .substr(4); // without the command: four points of one element
-  REQUIRE(shell(folder, program_on(0, 1) + " run" + changes + " -o one") == 0);
-  REQUIRE(shell(folder, program_on(5, 1) + " run" + changes + " -o five") == 0);
+  REQUIRE(shell_in(folder, program_on(0, 1) + " run" + changes + " -o one") == 0);
+  REQUIRE(shell_in(folder, program_on(5, 1) + " run" + changes + " -o five") == 0);
   CHECK(content_of(folder / "five/series.csv") == content_of(folder / "one/series.csv"));
   CHECK_THAT(content_of(folder / "one/series.csv"), Catch::Contains("points_promoted"));
   // They try states until one of their clocks says that it is enough.
-  CHECK(shell(folder, program_on(3, 1) + " check" + changes +
-                        " -s Control/End=4 -s 'Control/First step=0.001' -s 'Control/Largest step=0.001'") == 0);
+  CHECK(shell_in(folder, program_on(3, 1) + " check" + changes +
+                           " -s Control/End=4 -s 'Control/First step=0.001' -s 'Control/Largest step=0.001'") == 0);
   CHECK_THAT(content_of(folder / "said"), Catch::Contains("duration"));
 }
 
@@ -112,7 +88,7 @@ TEST_CASE(
 {
   const ScratchFolder folder;
   const std::string   words = plate("0.02");
-  REQUIRE(shell(folder, program_on(0, 1) + words + " -o whole") == 0);
+  REQUIRE(shell_in(folder, program_on(0, 1) + words + " -o whole") == 0);
   const std::string whole = content_of(folder / "whole/series.csv");
   for (const int ranks : {0, 2})
     {
@@ -120,19 +96,19 @@ TEST_CASE(
         return;
       const std::string name = "ranks_" + std::to_string(ranks), into = words + " -o " + name;
       // Not before there are promoted cells to save: some of the ten snapshots are then written.
-      shell(folder, program_on(ranks, 1, noting_its_process) + into + " & while kill -0 $! && { [ ! -e " + name +
-                      "/running/checkpoint.h5 ] || [ ! -e " + name +
-                      "/running/solid/solid_000006.vtu ]; }; do sleep 0.01; done; " + interrupt_noted + "; wait $!");
+      shell_in(folder, program_on(ranks, 1, noting_its_process) + into + " & while kill -0 $! && { [ ! -e " + name +
+                         "/running/checkpoint.h5 ] || [ ! -e " + name +
+                         "/running/solid/solid_000006.vtu ]; }; do sleep 0.01; done; " + interrupt_noted + "; wait $!");
       INFO(content_of(folder / "said"));
       REQUIRE_FALSE(std::filesystem::exists(folder / (name + "/summary.json")));
       if (ranks == 2)
         {
           // Each rank has saved its own points: others cannot go on with them, and nothing is lost by the attempt.
-          CHECK(shell(folder, program_on(0, 1) + words + " -o " + name + " --resume") != 0);
+          CHECK(shell_in(folder, program_on(0, 1) + words + " -o " + name + " --resume") != 0);
           CHECK_THAT(content_of(folder / "said"),
                      Catch::Contains("was written by 2 ranks, and there are 1 now. Start as many."));
         }
-      REQUIRE(shell(folder, program_on(ranks, 1) + into + " --resume") == 0);
+      REQUIRE(shell_in(folder, program_on(ranks, 1) + into + " --resume") == 0);
       CHECK(content_of(folder / (name + "/series.csv")) == whole);
     }
 }

@@ -1,9 +1,9 @@
 #include "postprocess/files/csv_table.h"
 #include "tests/apps/continuum_scenes.h"
 #include "tests/apps/program.h"
+#include "tests/apps/program_on_ranks.h"
 #include "tests/apps/scenes.h"
 #include "tests/apps/scratch_folder.h"
-#include "tests/apps/signalled_ranks.h"
 #include "tests/places.h"
 
 #include <catch2/catch.hpp>
@@ -108,17 +108,16 @@ TEST_CASE("A run on two ranks that is interrupted past the peak goes on to the s
   CHECK(listing_of(folder / "results/solid") == listing_of(folder / "whole/solid"));
 }
 
-TEST_CASE("A scene of particles under mpirun is refused in one message", "[apps][mpi][S14]")
+TEST_CASE("A scene that does not share its work is refused under mpirun in one message", "[apps][mpi][S14]")
 {
   if (places::skipped_without_mpirun())
     return;
   const ScratchFolder folder;
-  folder.file("packing.txt", stack_packing());
-  folder.file("x.prm", scene_with_file());
+  folder.file("x.prm", content_of(places::sources() + "/apps/scenes/peridynamic_bar.prm"));
   CHECK(shell(folder, "RUN -o results || [ $? = 2 ] && [ ! -e results ]") == 0);
   const std::string said = content_of(folder / "said");
   INFO(said);
-  const std::string refusal = "x.prm: Kind = uniaxial: runs in one process, and mpirun has started 2.";
+  const std::string refusal = "x.prm: Kind = peridynamics: runs in one process, and mpirun has started 2.";
   const auto        place   = said.find(refusal);
   CHECK(place != std::string::npos);
   CHECK(said.find(refusal, place + 1) == std::string::npos);

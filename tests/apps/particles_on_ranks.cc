@@ -1,0 +1,152 @@
+// Scenes of particles on several ranks: every file but the summary's cost has the same bytes as on one.
+#include "tests/apps/program.h"
+#include "tests/apps/program_on_ranks.h"
+#include "tests/apps/scratch_folder.h"
+#include "tests/places.h"
+
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+#include <array>
+#include <cstdlib>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+using namespace apps_tests;
+using Catch::Contains;
+
+namespace
+{
+  /** A cube of concrete of 768 particles, pulled and crushed. */
+  std::string small_concrete() { return run_of("concrete_uniaxial.prm", {"Specimen/Box size=0.02, 0.02, 0.02"}); }
+
+  std::size_t occurrences(const std::string &what, const std::string &in)
+  {
+    std::size_t count = 0;
+    for (auto at = in.find(what); at != std::string::npos; at = in.find(what, at + 1))
+      ++count;
+    return count;
+  }
+
+  /** What all files of a result folder hold, but those that tell of the run itself. */
+  std::map<std::string, std::string> results_in(const std::filesystem::path &folder)
+  {
+    std::map<std::string, std::string> found;
+    for (const auto &entry : std::filesystem::recursive_directory_iterator(folder))
+      if (const std::string name = std::filesystem::relative(entry.path(), folder).string();
+          entry.is_regular_file() && name != "summary.json" && name != "scene.prm")
+        found[name] = content_of(entry.path());
+    return found;
+  }
+
+  /** Names of files that differ, or that one of them lacks. */
+  std::vector<std::string> differences(const std::filesystem::path &one, const std::filesystem::path &other)
+  {
+    const auto               a = results_in(one), b = results_in(other);
+    std::vector<std::string> names;
+    for (const auto &[name, content] : a)
+      if (b.count(name) == 0 || b.at(name) != content)
+        names.push_back(name);
+    for (const auto &[name, content] : b)
+      if (a.count(name) == 0)
+        names.push_back(name);
+    return names;
+  }
+
+  nlohmann::json summary_of(const std::filesystem::path &folder)
+  {
+    return nlohmann::json::parse(content_of(folder / "summary.json"));
+  }
+
+  void same_on_ranks(const ScratchFolder &folder, const std::string &words, const std::vector<std::array<int, 2>> &ways)
+  {
+    const int alone = shell_in(folder, program_on(0, 1) + words + " -o one");
+    INFO(content_of(folder / "said"));
+    REQUIRE(alone == 0);
+    const auto figures = summary_of(folder / "one")["figures"];
+    CHECK_FALSE(figures.is_null());
+    for (const auto &[ranks, threads] : ways)
+      {
+        const std::string name = std::to_string(ranks) + "_ranks";
+        INFO(name);
+        const int status = shell_in(folder, program_on(ranks, threads) + words + " -o " + name);
+        INFO(content_of(folder / "said"));
+        REQUIRE(status == 0);
+        CHECK(differences(folder / "one", folder / name) == std::vector<std::string>());
+        CHECK(summary_of(folder / name)["figures"] == figures);
+        CHECK(summary_of(folder / name)["ranks"].size() == static_cast<std::size_t>(ranks));
+      }
+  }
+} // namespace
+
+TEST_CASE("A cell has the same results on one rank and on three", "[apps][mpi][ranks]")
+{
+  if (places::skipped_without_mpirun())
+    return;
+  const ScratchFolder folder;
+  same_on_ranks(folder, run_of("periodic_cell.prm", {"Output/Snapshots=2"}), {{{3, 1}}});
+}
+
+TEST_CASE("Concrete pulled and crushed has the same results on any number of ranks and threads",
+          "[apps][mpi][ranks][slow]")
+{
+  if (places::skipped_without_mpirun())
+    return;
+  const ScratchFolder folder;
+  same_on_ranks(folder, small_concrete(), {{{2, 2}}, {{3, 1}}, {{4, 1}}, {{8, 1}}});
+  CHECK(occurrences("faces of the specimen are cut", content_of(folder / "said")) == 1);
+}
+
+TEST_CASE("Pressed spheres, a rock in tension and bodies that tumble have the same results on ranks",
+          "[apps][mpi][ranks][slow]")
+{
+  if (places::skipped_without_mpirun())
+    return;
+  for (const char *scene : {"pressed_spheres.prm", "rock_tension.prm", "tumbling_bodies.prm"})
+    {
+      INFO(scene);
+      const ScratchFolder folder;
+      same_on_ranks(folder, run_of(scene), {{{3, 1}}});
+    }
+}
+
+TEST_CASE("A run that was interrupted on three ranks goes on on one, and on five, to the same results",
+          "[apps][mpi][ranks][slow][S13]")
+{
+  if (places::skipped_without_mpirun())
+    return;
+  const ScratchFolder folder;
+  const std::string   words = small_concrete() + " -s 'Output/Checkpoint interval=0.01'";
+  REQUIRE(shell_in(folder, program_on(0, 1) + words + " -o whole") == 0);
+  shell_in(folder, program_on(3, 1, noting_its_process) + words +
+                     " -o results & while kill -0 $! && [ ! -e results/running/checkpoint.h5 ]; do sleep 0.01; done; " +
+                     interrupt_noted + "; wait $!");
+  INFO(content_of(folder / "said"));
+  REQUIRE_FALSE(std::filesystem::exists(folder / "results/summary.json"));
+  CHECK_THAT(content_of(folder / "said"), Contains("state saved"));
+  std::filesystem::copy(folder / "results", folder / "others", std::filesystem::copy_options::recursive);
+  REQUIRE(shell_in(folder, program_on(0, 2) + words + " -o results --resume") == 0);
+  CHECK(differences(folder / "whole", folder / "results") == std::vector<std::string>());
+  REQUIRE(shell_in(folder, program_on(5, 1) + words + " -o others --resume") == 0);
+  CHECK(differences(folder / "whole", folder / "others") == std::vector<std::string>());
+}
+
+TEST_CASE("Where the first rank cannot write, all ranks are gone in a moment with one message",
+          "[apps][mpi][ranks][slow][S14]")
+{
+  if (places::skipped_without_mpirun())
+    return;
+  const ScratchFolder folder;
+  // The folder is taken away under the run, before its next snapshot.
+  const int status = shell_in(
+    folder, program_on(3, 1) + small_concrete() +
+              " -o results & while kill -0 $! && [ ! -e results/running/tension_links/tension_links_000001.vtp ]; "
+              "do sleep 0.01; done; rm -rf results/running; wait $!");
+  const std::string said = content_of(folder / "said");
+  INFO(said);
+  CHECK(status != 0);
+  CHECK(occurrences("breccia: ", said) == 2); // the note about its faces, and this
+  CHECK(occurrences("does not exist", said) == 1);
+}
