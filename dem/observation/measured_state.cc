@@ -1,6 +1,7 @@
 #include "dem/observation/measured_state.h"
 
 #include "base/errors.h"
+#include "dem/ranks/exact_sum.h"
 
 #include <cmath>
 
@@ -43,6 +44,7 @@ namespace dem
     MeasuredState                           found;
     const std::vector<std::int64_t>         number = measure_particles(found, state, box);
     std::vector<LinkDamage>                 made;
+    ExactSum                                damage;
     std::vector<Eigen::Vector3d>            all, holding;
     std::vector<std::array<std::size_t, 2>> ends;
     for (std::size_t k = 0; k < state.damage.links.size(); ++k)
@@ -52,7 +54,7 @@ namespace dem
         const LinkDamage &link = state.damage.links[k];
         made.push_back(link);
         all.push_back(link.direction);
-        found.mean_damage += link.damage;
+        damage.add(link.damage);
         if (link.damage >= no_strength)
           {
             ++found.gone;
@@ -67,7 +69,7 @@ namespace dem
     found.coordination = coordination(ends, found.particles);
     if (made.empty())
       return found;
-    found.mean_damage /= static_cast<double>(made.size());
+    found.mean_damage   = damage.value() / static_cast<double>(made.size());
     found.damage        = damage_tensor_even(made, state.dimension);
     found.fitted_damage = damage_tensor_fitted(made, state.dimension);
     found.fabric_made   = fabric(all);

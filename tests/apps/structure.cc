@@ -83,7 +83,9 @@ TEST_CASE("A structure that cannot be driven is refused by name", "[apps][struct
     "Specimen/Source=file", "Specimen/File=" + (made / "results/packing.h5").string(),
     "Continuum/Materials/concrete/anisotropic elastic/Homogenised=false",
     "Continuum/Materials/concrete/anisotropic elastic/Stiffness file=" + (made / "results/homogenised.json").string()};
-  REQUIRE(outcome_of(folder, "check", scene, from_files).status == 0);
+  const Outcome checked = outcome_of(folder, "check", scene, from_files);
+  REQUIRE(checked.status == 0);
+  CHECK_THAT(checked.out, Contains("links that would cross one are left out") && !Contains(" 0 links that would"));
   const auto refused = [&](std::vector<std::string> changes, const char *words) {
     changes.insert(changes.begin(), from_files.begin(), from_files.end());
     is_refused(folder, scene, changes, words);

@@ -333,6 +333,10 @@ TEST_CASE("values are drawn in a unit that keeps numbers short, under a readable
   CHECK(drawn_unit(1.2e-4, "m").scale == Approx(1e6));
   CHECK(drawn_unit(-5200, "N").label == " [kN]");
   CHECK(drawn_unit(0, "N").label == " [N]");
+  CHECK(drawn_unit(3e-6, "m^2").label == " [mm^2]");
+  CHECK(drawn_unit(3e-6, "m^2").scale == Approx(1e6));
+  CHECK(drawn_unit(4e-9, "m^3").label == " [mm^3]");
+  CHECK(drawn_unit(4e-9, "m^3").scale == Approx(1e9));
   CHECK(drawn_unit(3, "-").label.empty());
   CHECK(readable("reaction_load_z") == "Reaction load z");
 }

@@ -25,6 +25,9 @@ namespace apps
     std::string                 text;
     text += fmt::format("  particles    {}\n  links        {}\n", structure.network().network.particles(),
                         structure.network().network.links.size());
+    if (!model.voids.empty())
+      text += fmt::format("  voids        {}: {} links that would cross one are left out\n", model.voids.size(),
+                          model.linked(packing).links.size() - structure.network().network.links.size());
     text += extent_lines(packing, structure.network().network.dimension);
     text += lines_of_tension_beyond_apex(model.material);
     text += structure.material_counts().text();

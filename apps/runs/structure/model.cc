@@ -96,14 +96,19 @@ namespace apps
     return modelled;
   }
 
-  dem::ElasticNetwork StructureModel::network(const dem::Packing &packing) const
+  dem::ElasticNetwork StructureModel::linked(const dem::Packing &packing) const
   {
     dem::NetworkParameters links;
-    links.dimension             = dimension;
-    links.rotations             = rotations;
-    links.interaction_ratio     = source.interaction_ratio;
-    links.thickness             = source.thickness;
-    dem::ElasticNetwork made    = dem::make_network(packing, links, material.materials());
+    links.dimension         = dimension;
+    links.rotations         = rotations;
+    links.interaction_ratio = source.interaction_ratio;
+    links.thickness         = source.thickness;
+    return dem::make_network(packing, links, material.materials());
+  }
+
+  dem::ElasticNetwork StructureModel::network(const dem::Packing &packing) const
+  {
+    dem::ElasticNetwork made    = linked(packing);
     const auto          crosses = [&](const dem::ElasticLink &link) {
       const Eigen::Vector3d &first = packing.centre[static_cast<std::size_t>(link.first)];
       return is_void_between(first, first + link.branch);

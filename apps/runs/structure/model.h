@@ -65,7 +65,9 @@ namespace apps
     /** Of the particles, where there is a solid and they are known. @param cell as packing() gives it */
     ParticleMedia  media(const std::optional<dem::Packing> &cell) const;
     ParticleGroups groups_in(const dem::Packing &packing) const;
-    /** Links of the particles but those that would cross a void. @throws as dem::make_network() */
+    /** Links of all particles that are near enough. @throws as dem::make_network() */
+    dem::ElasticNetwork linked(const dem::Packing &packing) const;
+    /** The same but those that would cross a void. */
     dem::ElasticNetwork network(const dem::Packing &packing) const;
     /** The particles alone, held and driven. @throws base::InputError */
     dem::LoadedNetwork particles(const dem::Packing &packing, const ParticleGroups &groups) const;
