@@ -11,6 +11,7 @@
 #include "dem/loading/periodic_cell.h"
 #include "dem/loading/uniaxial.h"
 #include "dem/packing/lattice.h"
+#include "dem/specimen/core.h"
 #include "dem/specimen/specimen.h"
 #include "laboratory_fixture.h"
 #include "periodic_cell_fixture.h"
@@ -20,9 +21,12 @@
 
 #include <omp.h>
 
+#include <algorithm>
 #include <functional>
 #include <limits>
 #include <map>
+#include <numeric>
+#include <random>
 #include <string>
 #include <vector>
 
@@ -473,6 +477,55 @@ TEST_CASE("a particle linked to its own image, and more ranks than bricks", "[de
     return std::make_unique<Free>(std::move(specimen));
   };
   check_on_ranks({"eight spheres", cell, 300, 1}, {{2, 7, false}, {3, 0, true}});
+}
+
+TEST_CASE("what a link does depends on no other link in its pack", "[dem][ranks]")
+{
+  omp_set_num_threads(1);
+  const dem::LinkMaterials all[] = {cluster::concrete(), cement(), spots(), joints()};
+  for (const dem::LinkMaterials &materials : all)
+    {
+      dem::SpecimenParameters p  = cluster::bonded(1.2);
+      p.step_factor              = 0.1;
+      const dem::Packing packing = bar(200);
+      dem::SpecimenCore  core(packing, p, materials);
+      INFO(core.bond_law->name());
+      for (std::size_t i = 0; i < packing.size(); ++i)
+        for (int c = 0; c < 3; ++c)
+          core.particles.velocity[dem::record_size * i + static_cast<std::size_t>(c)] =
+            2000 * core.particles.pose_of(i)[c] + (c == 1 ? 8000 * core.particles.pose_of(i)[0] : 0);
+      core.begin();
+      for (int step = 0; step < 100; ++step)
+        core.step();
+      const base::Column &remembered = core.bonds.history.front();
+      REQUIRE((core.cracks.count() > 20 ||
+               std::any_of(remembered.begin(), remembered.end(), [](const double number) { return number > 0; })));
+
+      // The same links in another order.
+      dem::LinkSet            &links = core.bonds;
+      std::vector<std::size_t> order(links.count);
+      std::iota(order.begin(), order.end(), 0);
+      std::shuffle(order.begin(), order.end(), std::mt19937(3));
+      dem::LinkSet shuffled = links.empty_like();
+      shuffled.resize(links.count, core.particles.count);
+      for (std::size_t l = 0; l < links.count; ++l)
+        shuffled.copy_line(links, order[l], l);
+      core.bond_pass(links, core.particles, *core.bond_law, links.whole());
+      core.bond_pass(shuffled, core.particles, *core.bond_law, shuffled.whole());
+      std::size_t different = 0;
+      for (std::size_t l = 0; l < links.count; ++l)
+        {
+          if (!links.is_alive(order[l]))
+            continue;
+          std::vector<double> row, other;
+          links.get_history(order[l], row);
+          shuffled.get_history(l, other);
+          different += row != other || !std::equal(&shuffled.force[dem::record_size * l],
+                                                   &shuffled.force[dem::record_size * l] + dem::record_size,
+                                                   &links.force[dem::record_size * order[l]]);
+        }
+      CHECK(different == 0);
+    }
 }
 
 TEST_CASE("where one rank finds no number, all stop by the same words", "[dem][ranks]")
