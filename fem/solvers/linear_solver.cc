@@ -5,6 +5,7 @@
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/dofs/dof_tools.h>
+#include <deal.II/grid/grid_tools.h>
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
 #include <deal.II/lac/solver_cg.h>
 #include <deal.II/lac/solver_gmres.h>
@@ -14,8 +15,11 @@
 
 #include <Epetra_CrsMatrix.h>
 #include <Epetra_Import.h>
+#include <Epetra_MultiVector.h>
 
+#include <Teuchos_ParameterList.hpp>
 #include <algorithm>
+#include <map>
 #include <stdexcept>
 
 namespace fem
@@ -123,20 +127,69 @@ namespace fem
       SparseDirectUMFPACK            factors;
     };
 
+    /**
+     * What an elastic body without supports does not resist, which algebraic multigrid must be told to keep it on its coarse levels (Vaněk, Mandel and
+     * Brezina, 1996, Computing 56, 179): translations and rotations, at the unknowns of this rank, one motion after the other.
+     */
+    struct RigidMotions
+    {
+      int                 dimension;
+      std::vector<double> values;
+
+      int count() const { return dimension == 2 ? 3 : 6; }
+    };
+
+    template <int dim>
+    RigidMotions rigid_motions(const Solid<dim> &solid)
+    {
+      const DoFHandler<dim>                        &dofs = solid.dofs();
+      std::map<types::global_dof_index, Point<dim>> place;
+      DoFTools::map_dofs_to_support_points(solid.mapping(), dofs, place);
+      const IndexSet         owned = dofs.locally_owned_dofs();
+      const auto             size  = owned.n_elements();
+      RigidMotions           motions{dim, {}};
+      const auto             count  = static_cast<std::size_t>(motions.count());
+      const BoundingBox<dim> box    = GridTools::compute_bounding_box(dofs.get_triangulation());
+      const Point<dim>       middle = box.center();
+      const double           length = box.get_boundary_points().first.distance(box.get_boundary_points().second);
+      motions.values.assign(count * size, 0.0);
+      std::vector<types::global_dof_index> indices(dofs.get_fe().n_dofs_per_cell());
+      for (const auto &cell : dofs.active_cell_iterators())
+        {
+          if (!cell->is_locally_owned())
+            continue;
+          cell->get_dof_indices(indices);
+          for (unsigned int i = 0; i < indices.size(); ++i)
+            {
+              if (!owned.is_element(indices[i]))
+                continue;
+              const auto           at       = owned.index_within_set(indices[i]);
+              const unsigned int   c        = dofs.get_fe().system_to_component_index(i).first;
+              const Tensor<1, dim> x        = (place.at(indices[i]) - middle) / length;
+              motions.values[c * size + at] = 1;
+              for (unsigned int a = 0; a + dim < count; ++a) // about the third axis of the plane, or each of space
+                {
+                  const unsigned int first = dim == 2 ? 0 : (a + 1) % dim, second = dim == 2 ? 1 : (a + 2) % dim;
+                  motions.values[(dim + a) * size + at] = c == first ? -x[second] : c == second ? x[first] : 0.0;
+                }
+            }
+        }
+      return motions;
+    }
+
     class Multigrid : public LinearSolver
     {
     public:
-      Multigrid(const std::string             &why,
-                const LinearSolverOptions     &o,
-                const bool                     symmetric_,
-                std::vector<std::vector<bool>> modes_,
-                const bool                     quadratic)
+      Multigrid(const std::string         &why,
+                const LinearSolverOptions &o,
+                const bool                 symmetric_,
+                RigidMotions               motions_,
+                const bool                 quadratic)
         : reason(why)
         , options(o)
         , symmetric(symmetric_)
-        , modes(std::move(modes_))
+        , motions(std::move(motions_))
       {
-        settings.constant_modes        = modes;
         settings.elliptic              = true;
         settings.higher_order_elements = quadratic;
         settings.smoother_sweeps       = 2;
@@ -146,7 +199,14 @@ namespace fem
       void set_matrix(const Matrix &given) override
       {
         matrix = &given;
-        preconditioner.initialize(given, settings);
+        Teuchos::ParameterList              parameters;
+        std::unique_ptr<Epetra_MultiVector> none;
+        settings.set_parameters(parameters, none, given);
+        parameters.set("PDE equations", motions.dimension);
+        parameters.set("null space: type", "pre-computed");
+        parameters.set("null space: dimension", motions.count());
+        parameters.set("null space: vectors", motions.values.data());
+        preconditioner.initialize(given, parameters);
       }
 
       void solve(Vector &solution, const Vector &right_side) override
@@ -181,7 +241,7 @@ namespace fem
       std::string                                       reason;
       LinearSolverOptions                               options;
       bool                                              symmetric;
-      std::vector<std::vector<bool>>                    modes;
+      RigidMotions                                      motions;
       TrilinosWrappers::PreconditionAMG::AdditionalData settings;
       TrilinosWrappers::PreconditionAMG                 preconditioner;
       const Matrix                                     *matrix = nullptr;
@@ -212,22 +272,9 @@ namespace fem
         if (options.method == LinearMethod::geometric)
           throw base::InputError("linear solver = geometric: " + obstacle + ". Use the iterative one.");
       }
-    // Translations of the owned displacements (deal.II's extract_constant_modes() fails on shared meshes).
-    const IndexSet                       owned = solid.dofs().locally_owned_dofs();
-    std::vector<std::vector<bool>>       modes(dim, std::vector<bool>(owned.n_elements(), false));
-    std::vector<types::global_dof_index> indices(solid.dofs().get_fe().n_dofs_per_cell());
-    for (const auto &cell : solid.dofs().active_cell_iterators())
-      if (cell->is_locally_owned())
-        {
-          cell->get_dof_indices(indices);
-          for (unsigned int i = 0; i < indices.size(); ++i)
-            if (owned.is_element(indices[i]))
-              modes[solid.dofs().get_fe().system_to_component_index(i).first][owned.index_within_set(indices[i])] =
-                true;
-        }
     if (!obstacle.empty() && symmetric)
       why += "; not geometric, for " + obstacle;
-    return std::make_unique<Multigrid>(why, options, symmetric, modes, solid.options().degree > 1);
+    return std::make_unique<Multigrid>(why, options, symmetric, rigid_motions(solid), solid.options().degree > 1);
   }
 
   template std::unique_ptr<LinearSolver> make_linear_solver(const Solid<2> &, const LinearSolverOptions &, bool);

@@ -23,8 +23,8 @@ set(dem_rooms base)
 set(dem_libraries Eigen/ Spectra/ cholmod.h omp.h immintrin.h arm_neon.h)
 set(fem_rooms base)
 # Eigen carries the 6-vectors of the material points: the library that dem has too, hence no new dependency. Epetra is what
-# deal.II's own matrices are made of: to gather one on a rank.
-set(fem_libraries deal.II/ umfpack.h cholmod.h mpi.h Eigen/ Epetra_)
+# deal.II's own matrices are made of: to gather one on a rank, and to tell multigrid (by Teuchos_ lists) of rigid motions.
+set(fem_libraries deal.II/ umfpack.h cholmod.h mpi.h Eigen/ Epetra_ Teuchos_)
 # Adapters and writers speak the types in the interfaces of both sides.
 set(coupling_rooms base dem fem)
 set(coupling_libraries deal.II/ mpi.h Eigen/ unsupported/Eigen/ omp.h) # omp.h: its tests choose the number of threads
