@@ -254,6 +254,20 @@ namespace dem
     *this = std::move(kept);
   }
 
+  std::vector<std::int32_t>
+  ends_of(const LinkSet &links, const std::vector<LinkPart> &parts, const std::size_t particles)
+  {
+    std::vector<std::int32_t> ends;
+    for (const LinkPart &part : parts)
+      for (std::size_t l = part.begin; l < part.end; ++l)
+        for (const std::int32_t end : {links.first[l], links.second[l]})
+          if (static_cast<std::size_t>(end) < particles)
+            ends.push_back(end);
+    std::sort(ends.begin(), ends.end());
+    ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
+    return ends;
+  }
+
   Eigen::Vector3d branch_of(const Particles &particles, const LinkSet &links, const std::size_t link)
   {
     const Eigen::Vector3d branch = particles.position_of(links.second[link]) - particles.position_of(links.first[link]);

@@ -159,6 +159,9 @@ namespace dem
     void pad(std::size_t from, std::size_t particles);
   };
 
+  /** Particles that the lines of some parts end in, ascending; lines of padding end in none. */
+  std::vector<std::int32_t> ends_of(const LinkSet &links, const std::vector<LinkPart> &parts, std::size_t particles);
+
   /** Branch l from the first end to the (image of the) second where the particles are now [m]. */
   Eigen::Vector3d branch_of(const Particles &particles, const LinkSet &links, std::size_t link);
 

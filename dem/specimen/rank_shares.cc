@@ -18,12 +18,17 @@ namespace dem
     }
   } // namespace
 
+  LinkEnds living_ends(const LinkSet &bonds, const LinkSet &contacts)
+  {
+    LinkEnds ends;
+    append_ends(ends, bonds);
+    append_ends(ends, contacts);
+    return ends;
+  }
+
   std::vector<RankShare> share_out(const ObservedSpecimen &specimen, const std::size_t ranks)
   {
     const SpecimenCore &core = core_of(specimen);
-    LinkEnds            ends;
-    append_ends(ends, core.bonds);
-    append_ends(ends, core.contacts);
-    return share_out(core.particles.count, ends, ranks);
+    return share_out(core.particles.count, living_ends(core.bonds, core.contacts), ranks);
   }
 } // namespace dem

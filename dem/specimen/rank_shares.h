@@ -7,7 +7,11 @@
 
 namespace dem
 {
+  struct LinkSet;
   class ObservedSpecimen;
+
+  /** Ends of the bonds, and then of the contacts, that are not deleted. */
+  LinkEnds living_ends(const LinkSet &bonds, const LinkSet &contacts);
 
   /**
    * How a specimen's particles, and its bonds and contacts as they are now, would be shared out among ranks. Contacts with surfaces belong to the

@@ -1,0 +1,74 @@
+// What a specimen does otherwise where other ranks share its work (doc/theory/ranks.md, 3).
+
+#include "base/errors.h"
+#include "dem/specimen/core.h"
+
+#include <algorithm>
+#include <limits>
+#include <string>
+
+namespace dem
+{
+  void SpecimenCore::gather()
+  {
+    if (!shared)
+      return;
+    shared->gather_particles(particles);
+    shared->gather_bonds(bonds);
+    shared->gather_contacts(contacts);
+  }
+
+  void SpecimenCore::gather_places()
+  {
+    if (shared)
+      shared->gather_places(particles);
+  }
+
+  void SpecimenCore::refuse_on_ranks(const char *what) const
+  {
+    if (shared)
+      throw base::InputError(std::string(what) + ": not on several ranks (mpirun). Start one process.");
+  }
+
+  void SpecimenCore::shorten_step_for(const std::vector<std::int32_t> &some)
+  {
+    if (some.empty())
+      return;
+    const bool each_its_own = shares() && clumps.empty(); // a clump's depends on what touches any of its pebbles
+    if (!each_its_own)
+      gather();
+    double least = std::numeric_limits<double>::infinity();
+    for (const std::int32_t i : some)
+      if (!each_its_own || shared->owns(i))
+        least = std::min(least, parameters.step_factor * stable(i));
+    longest_step = std::min(longest_step, each_its_own ? shared->least(least) : least);
+  }
+
+  void SpecimenCore::share_out()
+  {
+    const bool changes = shared->changes_ranges(step_count);
+    if (changes || !bonds.in_parts) // others may move other particles from now on
+      gather();
+    if (changes)
+      shared->change_ranges(bonds, contacts);
+    shared->plan(particles, bonds, contacts);
+  }
+
+  /** Ranks that share all else move all clumps each, which may lie across their bricks. */
+  void SpecimenCore::move_clumps(const StepHalves &halves)
+  {
+    if (shares())
+      {
+        shared->share_forces(particles, clumps.pebbles());
+        accounts.back() = {};
+      }
+    clumps.move(particles, halves, parameters.damping, parameters.gravity, accounts);
+  }
+
+  std::pair<std::size_t, std::size_t> SpecimenCore::own_particles() const
+  {
+    if (!shares())
+      return {0, particles.count};
+    return {static_cast<std::size_t>(shared->first()), static_cast<std::size_t>(shared->last())};
+  }
+} // namespace dem
