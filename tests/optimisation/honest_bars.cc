@@ -1,4 +1,5 @@
 #include "apps/optimisation/least_squares_search.h"
+#include "apps/optimisation/model_noise.h"
 #include "apps/optimisation/synthetic_calibrations.h"
 #include "apps/statistics/uncertainty.h"
 #include "base/errors.h"
@@ -8,6 +9,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <random>
+#include <set>
 #include <vector>
 
 using optimisation::softening_stresses;
@@ -91,6 +93,45 @@ TEST_CASE(
     }
   if (scatter == 0)
     CHECK(found.rough == 0);
+}
+
+TEST_CASE("noise of a model: a constant on its bound stays there and costs no run", "[optimisation]")
+{
+  optimisation::LeastSquaresProblem problem;
+  problem.start     = Eigen::Vector3d(0.4, 0.5, 0.6);
+  problem.lower     = Eigen::Vector3d(0, 0.5, 0); // the second would be below
+  problem.upper     = Eigen::Vector3d(1, 1, 1);
+  problem.steps     = Eigen::Vector3d::Constant(0.03);
+  problem.residuals = [](const std::vector<Eigen::VectorXd> &places) {
+    std::vector<std::optional<Eigen::VectorXd>> all;
+    for (const Eigen::VectorXd &place : places)
+      {
+        Eigen::VectorXd residuals(6);
+        for (int k = 0; k < 6; ++k)
+          residuals[k] = (place - Eigen::Vector3d(0.3, 0.2, 0.7)).dot(Eigen::Vector3d(1, k, k * k)) +
+                         0.01 * std::sin(1e4 * (k + 1) * place.sum());
+        all.emplace_back(residuals);
+      }
+    return all;
+  };
+  const auto                    fit = optimisation::least_squares(problem, {});
+  std::set<double>              seconds;
+  const optimisation::Residuals residuals = problem.residuals;
+  problem.residuals                       = [&](const std::vector<Eigen::VectorXd> &places) {
+    for (const Eigen::VectorXd &place : places)
+      seconds.insert(place[1]);
+    return residuals(places);
+  };
+  REQUIRE(fit.place[1] == 0.5);
+  optimisation::NoiseOptions always;
+  always.search     = optimisation::NoiseSearch::always;
+  always.wide_steps = Eigen::Vector3d::Constant(0.06);
+  const auto end    = optimisation::model_at_end(problem, {}, fit, always);
+  CHECK(seconds == std::set<double>{0.5});
+  CHECK(end.jacobian.col(1).isZero(0));
+  CHECK(end.jacobian.col(0).norm() > 1);
+  CHECK(end.evaluations <=
+        4 + 4 * (4 + 5) + 1); // a line, at most four times central differences and a line, the answer
 }
 
 TEST_CASE("uncertainty: standard errors of a straight line are those of the textbook", "[optimisation]")
