@@ -3,6 +3,7 @@
 #include "apps/bench/calibration_problems.h"
 #include "apps/bench/results.h"
 #include "apps/optimisation/direct_search.h"
+#include "apps/optimisation/synthetic_calibrations.h"
 #include "apps/statistics/emulator.h"
 #include "apps/statistics/space_filling.h"
 
@@ -162,6 +163,34 @@ namespace apps
         }
       return series;
     }
+    /** How often bands of 95 % hold the truth, of smooth models and of rough ones: a table and a file of its own. */
+    void measure_coverage(const std::filesystem::path &folder)
+    {
+      const BenchResults results(folder, "calibration_coverage");
+      std::string        csv = "scatter_of_runs,deviation_known,constant,inside [%],by_residuals [%],rough [%]\n";
+      std::string        md =
+        "| runs scatter by, over the deviation | deviation | inside bands of 95 % [%] | by residuals alone [%] "
+        "| noise found [%] |\n|---|---|---|---|---|\n";
+      for (const double scatter : {0.0, 0.25, 1.0})
+        for (const bool known : {true, false})
+          {
+            optimisation::SyntheticCalibrations asked;
+            asked.model_scatter          = scatter * asked.deviation;
+            asked.known                  = known;
+            const auto            found  = optimisation::coverage_of(asked);
+            const double          part   = 100.0 / asked.count;
+            const Eigen::VectorXd inside = part * found.inside.cast<double>(),
+                                  narrow = part * found.by_residuals.cast<double>();
+            for (int k = 0; k < 3; ++k)
+              csv += fmt::format("{},{},{},{},{},{}\n", scatter, known ? 1 : 0, k + 1, inside[k], narrow[k],
+                                 part * found.rough);
+            md += fmt::format("| {} | {} | {:.1f} to {:.1f} | {:.1f} to {:.1f} | {:.1f} |\n", scatter,
+                              known ? "known" : "estimated", inside.minCoeff(), inside.maxCoeff(), narrow.minCoeff(),
+                              narrow.maxCoeff(), part * found.rough);
+          }
+      fmt::print("\n{}", md);
+      results.write(csv, md);
+    }
   } // namespace
 
   int run_calibration_bench(const std::filesystem::path &folder)
@@ -191,6 +220,7 @@ namespace apps
       }
     fmt::print("{}", md);
     results.write(csv, md);
+    measure_coverage(folder);
     return results.finish(panels);
   }
 } // namespace apps

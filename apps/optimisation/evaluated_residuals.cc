@@ -2,6 +2,8 @@
 
 #include "base/errors.h"
 
+#include <algorithm>
+
 namespace optimisation
 {
   void refuse_unusable(const LeastSquaresProblem &problem)
@@ -71,11 +73,18 @@ namespace optimisation
     return within_bounds(other);
   }
 
+  bool EvaluatedResiduals::asks_for(const Eigen::Index variable) const
+  {
+    return std::find(left_out.begin(), left_out.end(), variable) == left_out.end();
+  }
+
   std::vector<Eigen::VectorXd> EvaluatedResiduals::places_for_differences(const Eigen::VectorXd &place) const
   {
     std::vector<Eigen::VectorXd> places = {place};
     for (Eigen::Index k = 0; k < place.size(); ++k)
       {
+        if (!asks_for(k))
+          continue;
         const Eigen::VectorXd up   = moved(place, k, 1);
         const bool            full = up[k] - place[k] >= problem.steps[k] / 2;
         if (full)
@@ -127,9 +136,11 @@ namespace optimisation
     else
       {
         evaluate(places_for_differences(place));
-        Eigen::MatrixXd matrix(own->size(), place.size());
+        Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(own->size(), place.size());
         for (Eigen::Index k = 0; k < place.size(); ++k)
           {
+            if (!asks_for(k))
+              continue;
             const auto column = slope(place, k);
             if (!column)
               return std::nullopt;

@@ -24,6 +24,8 @@ namespace optimisation
     std::optional<Eigen::VectorXd> at(const Eigen::VectorXd &place);
     /** Those that at() will be asked for, at the same time. */
     void prepare(const std::vector<Eigen::VectorXd> &places) { evaluate(places); }
+    /** From now on Jacobians do not ask for these variables: their columns are zero. */
+    void leave_out(const std::vector<int> &variables) { left_out = variables; }
     /** Nothing where a variable can be moved neither up nor down. */
     std::optional<Eigen::MatrixXd> jacobian(const Eigen::VectorXd &place);
     /** Whether the last one was updated, not by differences. */
@@ -33,6 +35,7 @@ namespace optimisation
 
   private:
     using Key = std::vector<double>;
+    bool       asks_for(Eigen::Index variable) const;
     static Key key_of(const Eigen::VectorXd &place) { return Key(place.begin(), place.end()); }
 
     void                           evaluate(const std::vector<Eigen::VectorXd> &places);
@@ -47,6 +50,7 @@ namespace optimisation
     Eigen::Index                                  residual_count = 0;
     int                                           evaluated = 0, without_answer = 0;
     bool                                          was_updated = false;
+    std::vector<int>                              left_out;
     std::optional<Eigen::MatrixXd>                known_jacobian;
     Eigen::VectorXd                               known_place, known_residuals; ///< where that is known
   };

@@ -123,6 +123,15 @@ namespace optimisation
       return known > 0 ? known : degrees > 0 ? std::sqrt(fit.sum_of_squares() / degrees) : 0;
     }
 
+    std::vector<int> on_bounds(const LeastSquaresProblem &problem, const Eigen::VectorXd &place)
+    {
+      std::vector<int> held;
+      for (int k = 0; k < place.size(); ++k)
+        if (place[k] <= problem.lower[k] || place[k] >= problem.upper[k])
+          held.push_back(k);
+      return held;
+    }
+
     /** Of Gauss and Newton, in variables that do not lie on a bound, no farther than a few wide steps. */
     Eigen::VectorXd stepped(const LeastSquaresProblem &problem,
                             const Eigen::VectorXd     &place,
@@ -153,6 +162,7 @@ namespace optimisation
       append(first.noise(), found);
       for (int round = 0; round < most_repeats; ++round)
         {
+          evaluated.leave_out(on_bounds(wide, place)); // they stay there, and have no error
           const auto jacobian = evaluated.jacobian(place);
           if (!jacobian)
             return;

@@ -24,7 +24,8 @@ namespace optimisation
   struct ModelAtEnd
   {
     Eigen::VectorXd place, residuals; ///< those of the search where noise does not matter
-    Eigen::MatrixXd jacobian; ///< of the residuals; central, by wide steps, where noise matters; empty: it has none
+    Eigen::MatrixXd
+                    jacobian; ///< of the residuals; central, by wide steps, where noise matters, with no column but zeros for a variable on a bound; empty: it has none
     Eigen::MatrixXd noise;    ///< draws of the noise of one answer, a column each; empty where it does not matter
     double          noise_degrees = 0; ///< how many independent draws they are worth
     double          share         = 1; ///< of the variance of one answer's noise in what the place was found from

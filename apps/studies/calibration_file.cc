@@ -7,6 +7,7 @@
 #include "apps/text/value_text.h"
 #include "base/errors.h"
 
+#include <algorithm>
 #include <filesystem>
 
 namespace apps
@@ -78,6 +79,8 @@ namespace apps
       constants.named_sections("CONSTANT", [&calibration](Section &opened) {
         SoughtConstant &constant = calibration.constants.emplace_back();
         constant.name            = opened.name();
+        opened.text("Targets", constant.targets, Need::optional)
+          .means("Names, between commas, of those whose scenes it is an entry of; empty: of all");
         const Range any;
         opened.text("Entry", constant.entries, Need::required)
           .means("Of the scenes, \"Material/CPM/Cohesion\"; several between commas get the same value");
@@ -94,6 +97,10 @@ namespace apps
       section.text("Reference scene", target.reference, Need::optional)
         .means(
           "Its run, once, is what was measured: particles, for the law of a continuum; from the folder of this file");
+      section.text("Reference figure", target.reference_figure, Need::optional)
+        .means("Name of the figure in its run, where it has another there")
+        .only_if([&target] { return !target.reference.empty() && !target.is_curve(); },
+                 "there are a figure and a reference scene");
       section.text("Reference abscissa", target.reference_abscissa, Need::optional)
         .means("Column of its series.csv")
         .only_if(has_one, where);
@@ -179,6 +186,8 @@ namespace apps
         target.cheap_scene = beside(calibration, target.cheap_scene);
       if (!target.reference.empty())
         target.reference = beside(calibration, target.reference);
+      if (target.reference_figure.empty())
+        target.reference_figure = target.figure;
       if (target.abscissa_factor == 0 || target.ordinate_factor == 0)
         section.refuse(target.abscissa_factor == 0 ? "Abscissa factor" : "Ordinate factor", "must not be zero.");
       if (!target.is_curve() && target.value == 0 && target.reference.empty())
@@ -206,6 +215,10 @@ namespace apps
             section.refuse("Start", "must lie between Lower and Upper.");
           if (comma_separated(constant.entries).empty())
             section.refuse("Entry", "an entry of the scenes is wanted.");
+          for (const std::string &target : comma_separated(constant.targets))
+            if (std::none_of(calibration.targets.begin(), calibration.targets.end(),
+                             [&target](const CalibrationTarget &known) { return known.name == target; }))
+              section.refuse("Targets", "there is no target " + target + ".");
         }
       if (!calibration.cheap.base_scene.empty())
         calibration.cheap.base_scene = beside(calibration, calibration.cheap.base_scene);

@@ -13,8 +13,9 @@ namespace apps
   /** A constant that is sought: one or several entries of the scenes that are given the same value. */
   struct SoughtConstant
   {
-    std::string name, entries;
-    double      start = 0, lower = 0, upper = 0;
+    std::string name, entries,
+      targets; ///< names of targets, between commas, whose scenes have the entries; "": all have
+    double start = 0, lower = 0, upper = 0;
   };
 
   /** What a run shall give: a figure, or a curve of its series. */
@@ -27,6 +28,7 @@ namespace apps
     double      weight    = 1;
     std::string reference; ///< scene whose run is what was measured; "": a table or a value is
     std::string reference_abscissa = "strain", reference_ordinate = "stress", reference_test;
+    std::string reference_figure;                         ///< of its run; "": of the same name
     double      abscissa_factor = 1, ordinate_factor = 1; ///< of the run's columns, into the units of what was measured
     std::string cheap_scene;                              ///< "": the scene itself with the changes of the cheap model
 

@@ -55,7 +55,8 @@ namespace apps
             labels[begins.size() - 1] = {label_of(columns.abscissa, table), label_of(columns.ordinate, table)};
           }
         else if (!reference.empty())
-          y[0] = figure_of_run(reference, target).value.value_or(std::numeric_limits<double>::quiet_NaN());
+          y[0] =
+            figure_of_run(reference, target.reference_figure).value.value_or(std::numeric_limits<double>::quiet_NaN());
         if (!y.allFinite())
           throw base::InputError(calibration.file + ": target " + target.name + ": the run of " + target.reference +
                                  " has no such figure.");

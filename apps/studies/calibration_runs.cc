@@ -5,13 +5,11 @@
 #include "apps/process/progress.h"
 #include "apps/results/run_result.h"
 #include "apps/scene/kinds/read_scene.h"
-#include "apps/scene/usual_sizes.h"
 #include "apps/studies/child_runs.h"
 #include "apps/studies/measured_curve.h"
 #include "apps/studies/scene_entry.h"
 #include "apps/text/value_text.h"
 #include "base/errors.h"
-#include "postprocess/files/digest.h"
 #include "postprocess/files/numeric_text.h"
 #include "postprocess/files/summary.h"
 
@@ -45,6 +43,25 @@ namespace apps
         }
       return changes;
     }
+
+    /** @param figure "": none @param whose begins the message */
+    void demand(const RunOutcome               &known,
+                const std::string              &figure,
+                const std::vector<std::string> &columns,
+                const std::string              &whose)
+    {
+      try
+        {
+          if (!figure.empty())
+            known.demand_figure(figure);
+          for (const std::string &column : columns)
+            known.demand_column(column);
+        }
+      catch (const base::InputError &refusal)
+        {
+          throw base::InputError(whose + refusal.what());
+        }
+    }
   } // namespace
 
   CalibrationRuns::CalibrationRuns(const CalibrationFile &calibration_,
@@ -66,7 +83,7 @@ namespace apps
       take_measured();
     for (const CalibrationTarget &target : calibration.targets)
       if (!target.reference.empty()) // refused before the first run
-        job_of(target.reference, {});
+        demand_reference(target);
     const Eigen::VectorXd start = at_start();
     Eigen::VectorXd       lower = start, upper = start;
     for (std::size_t k = 0; k < calibration.constants.size(); ++k)
@@ -85,17 +102,22 @@ namespace apps
     const std::optional<RunOutcome> known = scene.outcome();
     if (!known)
       return;
-    try
-      {
-        if (!target.is_curve())
-          return known->demand_figure(target.figure);
-        known->demand_column(target.abscissa);
-        known->demand_column(target.ordinate);
-      }
-    catch (const base::InputError &refusal)
-      {
-        throw base::InputError(calibration.file + ": target " + target.name + ": " + refusal.what());
-      }
+    if (target.is_curve())
+      demand(*known, "", {target.abscissa, target.ordinate}, calibration.file + ": target " + target.name + ": ");
+    else
+      demand(*known, target.figure, {}, calibration.file + ": target " + target.name + ": ");
+  }
+
+  void CalibrationRuns::demand_reference(const CalibrationTarget &target) const
+  {
+    job_of(target.reference, std::vector<std::string>());
+    const CheckedScene              read  = read_scene(target.reference, {});
+    const std::optional<RunOutcome> known = read.scene->outcome();
+    const std::string               whose = calibration.file + ": reference of target " + target.name + ": ";
+    if (known && target.is_curve())
+      demand(*known, "", {target.reference_abscissa, target.reference_ordinate}, whose);
+    else if (known)
+      demand(*known, target.reference_figure, {}, whose);
   }
 
   /** Bounds and start have passed the questions about sizes that quantities hardly have: what lies between them is meant. */
@@ -107,27 +129,18 @@ namespace apps
         for (const CalibrationTarget &target : calibration.targets)
           if (scene_of(target) == scene)
             demand_target(target, *read.scene);
-        for (const auto &constant : calibration.constants)
+        for (const SoughtConstant &constant : calibration.constants)
           for (const std::string &entry : comma_separated(constant.entries))
             if (const Entry *found = entry_at(*read.root, entry))
               units[{scene, entry}] = found->unit;
       }
   }
 
-  std::string CalibrationRuns::change_of(const std::string &scene, const std::string &entry, const double value) const
-  {
-    const std::string text = fmt::format("{}", value);
-    const auto        unit = units.find({scene, entry});
-    const bool        named =
-      unit != units.end() && !question_about(entry.substr(entry.rfind('/') + 1), unit->second, value, text).empty();
-    return entry + "=" + text + (named ? " " + unit->second : "");
-  }
-
-  Figure CalibrationRuns::figure_of_run(const fs::path &run, const CalibrationTarget &target)
+  Figure CalibrationRuns::figure_of_run(const fs::path &run, const std::string &name)
   {
     RunResult result;
     result.summary = nlohmann::json::parse(postprocess::numeric_text::read_whole(run / "summary.json"));
-    return result.figure(target.figure);
+    return result.figure(name);
   }
 
   std::string CalibrationRuns::scene_of(const CalibrationTarget &target) const
@@ -147,56 +160,6 @@ namespace apps
   {
     return options.processes > 0 ? options.processes :
                                    std::max(1, usable_processors() / static_cast<int>(calibration.threads_per_run));
-  }
-
-  std::vector<std::pair<std::string, std::vector<std::string>>> CalibrationRuns::scenes_at_start() const
-  {
-    std::vector<std::pair<std::string, std::vector<std::string>>> all;
-    for (const std::string &scene : scenes)
-      all.emplace_back(scene, job_of(scene, at_start(), seeds.front()).changes);
-    return all;
-  }
-
-  CalibrationRuns::Job
-  CalibrationRuns::job_of(const std::string &scene, const Eigen::VectorXd &constants, const std::string &seed) const
-  {
-    std::vector<std::string> all = changes;
-    for (std::size_t k = 0; k < calibration.constants.size(); ++k)
-      for (const std::string &entry : comma_separated(calibration.constants[k].entries))
-        all.push_back(change_of(scene, entry, constants[k]));
-    if (!seed.empty())
-      all.push_back(calibration.seed_entry + "=" + seed);
-    return job_of(scene, all);
-  }
-
-  CalibrationRuns::Job CalibrationRuns::job_of(const std::string &scene, const std::vector<std::string> &all) const
-  {
-    Job job{scene, all, ""};
-    try
-      {
-        const CheckedScene  read    = read_scene(scene, job.changes);
-        const RunRequest    request = request_of(read);
-        postprocess::Digest digest;
-        digest.add(request.deciding_text);
-        for (const InputFile &input : request.inputs)
-          digest.add(fmt::format("{} {} {}\n", input.entry, input.bytes, input.digest));
-        job.key = fmt::format("{:016x}", digest.value());
-      }
-    catch (const base::InputError &refusal)
-      {
-        throw base::InputError(
-          fmt::format("{}: {} ({}): {}", calibration.file, scene, fmt::join(job.changes, ", "), refusal.what()));
-      }
-    return job;
-  }
-
-  std::vector<CalibrationRuns::Job> CalibrationRuns::jobs_of(const Eigen::VectorXd &constants) const
-  {
-    std::vector<Job> jobs;
-    for (const std::string &scene : scenes)
-      for (const std::string &seed : seeds)
-        jobs.push_back(job_of(scene, constants, seed));
-    return jobs;
   }
 
   std::optional<std::string> CalibrationRuns::message_of(const Job &job) const
@@ -221,7 +184,7 @@ namespace apps
                             postprocess::read_csv_table(folder_of(job) / "series.csv", true, {"test"}),
                             curve_columns_of(target));
       }
-    const Figure figure = figure_of_run(folder_of(job), target);
+    const Figure figure = figure_of_run(folder_of(job), target.figure);
     return figure.value ? Eigen::VectorXd(Eigen::VectorXd::Constant(1, target.ordinate_factor * *figure.value)) :
                           Eigen::VectorXd();
   }

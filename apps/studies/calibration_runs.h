@@ -81,14 +81,16 @@ namespace apps
     void             take_measured();
     void             find_units();
     void             demand_target(const CalibrationTarget &target, const Scene &scene) const;
+    void             demand_reference(const CalibrationTarget &target) const;
     Job              job_of(const std::string &scene, const std::vector<std::string> &changes) const;
     std::string      scene_of(const CalibrationTarget &target) const;
+    bool             is_constant_of(const SoughtConstant &constant, const std::string &scene) const;
     Eigen::VectorXd  at_start() const;
     Job              job_of(const std::string &scene, const Eigen::VectorXd &constants, const std::string &seed) const;
     std::vector<Job> jobs_of(const Eigen::VectorXd &constants) const;
     std::optional<std::string> message_of(const Job &job) const; ///< nothing: it was not run; "": it succeeded
     /** @throws base::InputError for a name that the run does not have */
-    static Figure                  figure_of_run(const std::filesystem::path &run, const CalibrationTarget &target);
+    static Figure                  figure_of_run(const std::filesystem::path &run, const std::string &name);
     Eigen::VectorXd                values_of(const Job &job, std::size_t target) const;
     void                           work_off(const std::vector<Job> &jobs);
     std::optional<Eigen::VectorXd> mean_of(const Eigen::VectorXd &constants) const;

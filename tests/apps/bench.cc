@@ -85,6 +85,24 @@ TEST_CASE("bench calibration: updates and a cheap model save runs beside plain d
       CHECK(std::stod(needed[problem]["after a cheap model"]) < plain);
     }
   CHECK(std::filesystem::file_size(folder / "bench/calibration.png") > 0);
+
+  std::istringstream coverage(content_of(folder / "bench/calibration_coverage.csv"));
+  std::getline(coverage, line);
+  CHECK(line == "scatter_of_runs,deviation_known,constant,inside [%],by_residuals [%],rough [%]");
+  int constants = 0;
+  while (std::getline(coverage, line))
+    {
+      INFO(line);
+      std::istringstream       cells(line);
+      std::vector<std::string> all;
+      for (std::string cell; std::getline(cells, cell, ',');)
+        all.push_back(cell);
+      REQUIRE(all.size() == 6);
+      CHECK(std::stod(all[3]) >= 92);
+      CHECK(std::stod(all[3]) <= 98);
+      ++constants;
+    }
+  CHECK(constants == 18); // three, of smooth, rough and very rough runs, with a known deviation and without
 }
 
 TEST_CASE("bench uniaxial refuses a scene that it cannot vary", "[apps][S14]")

@@ -76,6 +76,7 @@ namespace apps
     std::int64_t samples = 500, snapshots = 20;
     double       checkpoint_interval = 600; ///< [s] wall clock: at most ten minutes of work can be lost
     std::string  horizontal, vertical;      ///< columns of the series; "": chosen by the program
+    bool         fracture_zone = false;     ///< its width is a figure
   };
 
   /** Everything that a continuum analysis computes from, as a scene says it. Other kinds of scenes may hold one. */

@@ -25,6 +25,8 @@ namespace apps
         }
       if (found.has_column("opening"))
         found.figures.emplace_back("final_opening");
+      if (model.output.fracture_zone)
+        found.figures.emplace_back("fracture_zone_width");
       if (!model.contacts.empty())
         found.add_figures(ContactFigures::names());
       if (model.is_static())

@@ -172,6 +172,8 @@ namespace apps
         const Progress progress("equilibrium of the start");
         settle(*solid, *analysis);
         probes->start_at(*analysis->state().displacement);
+        if (model.output.fracture_zone)
+          dissipated.start_at(*solid, *analysis->state().displacement);
       }
     snapshot();
     if (settle)
@@ -203,6 +205,11 @@ namespace apps
     analysis->visit_state(state);
     if (least_left > 0)
       watch.visit_state(state, *solid);
+    if (model.output.fracture_zone)
+      {
+        dissipated.visit_state(state);
+        zone.visit_state(state);
+      }
     invalid = solid->end_of_validity();
   }
 
@@ -237,6 +244,11 @@ namespace apps
     const double now = std::fabs(values[vertical_index]);
     peak             = std::max(peak, now);
     was_stopped      = now < model.control.stop_fraction * peak;
+    if (model.output.fracture_zone)
+      {
+        dissipated.look(*solid, *analysis->state().displacement);
+        zone.note(now, dissipated.so_far());
+      }
     if (least_left > 0)
       {
         watch.look(*solid, now);
@@ -321,7 +333,8 @@ namespace apps
                                 solid->notes(),
                                 extremes,
                                 solid->linear(),
-                                ended_by()}; // asked of all ranks, told by the first
+                                ended_by(),
+                                zone.width(dim)}; // asked of all ranks, told by the first
     return is_first_rank() ? RunFindings{found.summary(), found.text(), nullptr} : RunFindings{};
   }
 

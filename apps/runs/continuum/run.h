@@ -4,6 +4,7 @@
 #include "apps/results/run_result.h"
 #include "apps/results/run_work.h"
 #include "apps/runs/continuum/analysis.h"
+#include "apps/runs/continuum/dissipated_places.h"
 #include "apps/runs/continuum/softening_watch.h"
 #include "apps/runs/continuum/summary.h"
 #include "postprocess/vtk/pvd.h"
@@ -114,6 +115,8 @@ namespace apps
     base::Column                              snapshot_times; ///< kept where a resumed run takes none
     std::filesystem::path                     location;       ///< where results grow
     SofteningWatch<dim>                       watch;
+    DissipatedPlaces<dim>                     dissipated;
+    FractureZone                              zone; ///< told of where model.output asks for it
     std::string                               horizontal, vertical;
     std::size_t                               vertical_index = 0;
 

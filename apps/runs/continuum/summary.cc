@@ -88,6 +88,8 @@ namespace apps
       }
     if (has_opening)
       found["final_opening"] = quantity(last("opening"), "m");
+    if (fracture_zone_width)
+      found["fracture_zone_width"] = quantity(*fracture_zone_width, "m");
     if (contact && contact->touched())
       contact->put_into(found, references);
     if (extremes)

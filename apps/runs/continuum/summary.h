@@ -47,6 +47,8 @@ namespace apps
     /** "end", "stop fraction", "steps at most", softened, no_equilibrium and why, or "end of validity: " and why. */
     std::string ended_by = "";
 
+    std::optional<double> fracture_zone_width = {}; ///< [m]
+
     nlohmann::json summary() const;
     std::string    text() const;
 

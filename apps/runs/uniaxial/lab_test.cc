@@ -37,6 +37,25 @@ namespace apps
     return static_cast<std::int64_t>(steps);
   }
 
+  namespace
+  {
+    /** By the damage of bonds so far, half way between where their ends were at the start. */
+    SpreadAmount dissipated_by_links(const dem::ObservedSpecimen &specimen)
+    {
+      const dem::ParticleOutput particles = specimen.particles();
+      const dem::LinkOutput     links     = specimen.links();
+      SpreadAmount              sum;
+      for (std::size_t l = 0; l < links.ends.size(); ++l)
+        {
+          Eigen::Vector3d place = Eigen::Vector3d::Zero();
+          for (const std::size_t end : links.ends[l])
+            place += 0.5 * (particles.position[end] - particles.displacement[end]);
+          sum.add(links.dissipated[l], place);
+        }
+      return sum;
+    }
+  } // namespace
+
   UniaxialLabTest::UniaxialLabTest(const UniaxialModel &model, const dem::Packing &packing, const std::size_t which)
     : name(name_of(model.loading.tests[which]))
     , classes(model.mixed().link_classes(packing.material_names))
@@ -47,6 +66,7 @@ namespace apps
     , steps_at_most(most_steps(model.loading, model.loading.tests[which], specimen.time_step()))
     , sampling(steps_at_most, model.output)
     , shown(model.output.snapshots > 0)
+    , zone_wanted(model.fracture_zone)
   {
     result.load               = model.loading.tests[which];
     result.notes.name         = name;
@@ -90,6 +110,8 @@ namespace apps
       static_cast<double>(result.steps - before) * static_cast<double>(result.at_end.links + result.at_end.contacts);
     result.worst_balance_error = std::max(result.worst_balance_error, result.energy.balance_error());
     result.notes.poisson_ratio = sideways.poisson_ratio(result.notes.figures.strength);
+    if (zone_wanted)
+      zone.note(std::abs(test.curve().back().stress), dissipated_by_links(specimen));
     if (snapshot_due())
       snapshots.take(specimen);
   }
@@ -130,6 +152,8 @@ namespace apps
     test.visit_state(state);
     snapshots.visit_state(state);
     sideways.visit_state(state);
+    if (zone_wanted)
+      zone.visit_state(state);
   }
 
   void UniaxialLabTest::complete()
@@ -141,8 +165,9 @@ namespace apps
         result.strain.push_back(sample.strain);
         result.stress.push_back(sample.stress);
       }
-    result.link_classes = classes.figures(specimen);
-    result.emission     = EmissionFigures(specimen).row();
+    result.link_classes        = classes.figures(specimen);
+    result.emission            = EmissionFigures(specimen).row();
+    result.fracture_zone_width = zone.width(specimen.parameters().physics.dimension).value_or(0.0);
     note_work_of_fracture(result.notes, test.figures());
     const dem::SpecimenParameters &made = specimen.parameters();
     result.notes.crack                  = dem::measure_crack(specimen.particles(), specimen.links(),

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "apps/figures/fracture_zone.h"
 #include "apps/figures/sampling.h"
 #include "apps/results/run_work.h"
 #include "apps/runs/uniaxial/model.h"
@@ -73,7 +74,7 @@ namespace apps
     static std::vector<postprocess::SeriesColumn> series_columns(const UniaxialModel &model);
 
   private:
-    bool        snapshot_due() const; ///< with the last sample
+    bool        snapshot_due() const;                            ///< with the last sample
     int         seen_along() const { return axis == 2 ? 1 : 2; } ///< of pictures, across the load
     std::string draw_crack(const std::filesystem::path &folder) const;
 
@@ -88,5 +89,7 @@ namespace apps
     bool              shown; ///< snapshots are requested
     SpecimenSnapshots snapshots;
     SidewaysStrain    sideways;
+    bool              zone_wanted;
+    FractureZone      zone; ///< told of where it is wanted
   };
 } // namespace apps

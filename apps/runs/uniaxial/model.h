@@ -28,6 +28,7 @@ namespace apps
     UniaxialLoadingSection loading;
     OutputSection          output;
     EmissionSection        emission;
+    bool                   fracture_zone = false; ///< its width is a figure
 
     /** Rules between entries. @throws base::InputError */
     void                             check(const base::EntryPath &root) const;

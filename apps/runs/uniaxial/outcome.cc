@@ -13,6 +13,9 @@ namespace apps
     if (model.emission.given())
       for (const UniaxialLoad load : model.loads())
         found.add_figures(EmissionFigures::names(std::string(name_of(load)) + "_"));
+    if (model.fracture_zone)
+      for (const UniaxialLoad load : model.loads())
+        found.figures.push_back(std::string(name_of(load)) + "_fracture_zone_width");
     found.set_columns(UniaxialLabTest::series_columns(model));
     return found;
   }

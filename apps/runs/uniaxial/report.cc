@@ -58,7 +58,11 @@ namespace apps
     nlohmann::json summary = summary_head(request, "uniaxial");
     summary["figures"]     = figures_of(notes_of(results));
     for (const UniaxialResult &result : results)
-      summary["figures"].update(EmissionFigures(result.emission).json(result.notes.name + "_"));
+      {
+        summary["figures"].update(EmissionFigures(result.emission).json(result.notes.name + "_"));
+        if (result.fracture_zone_width > 0)
+          summary["figures"][result.notes.name + "_fracture_zone_width"] = quantity(result.fracture_zone_width, "m");
+      }
     summary["warnings"] = warnings_of(notes_of(results));
     for (const std::string &doubt : tension_beyond_apex(model.material))
       summary["warnings"].push_back(doubt);
@@ -109,6 +113,9 @@ namespace apps
       text += text_of(result.notes) +
               LinkClasses(model.mixed().link_classes(test.materials.names)).text(result.link_classes) +
               EmissionFigures(result.emission).text();
+    for (const UniaxialResult &result : results)
+      if (result.fracture_zone_width > 0)
+        text += fmt::format("{:<12} fracture zone {:.4g} m wide\n", result.notes.name, result.fracture_zone_width);
     text += basis_of(results.front().notes);
     text += warning_lines(notes_of(results));
     for (const std::string &doubt : tension_beyond_apex(model.material))

@@ -48,5 +48,6 @@ namespace apps
     visitor.column("stress", stress);
     visitor.column("link_classes", link_classes);
     visitor.column("emission_figures", emission);
+    visitor.scalar("fracture_zone_width", fracture_zone_width);
   }
 } // namespace apps

@@ -131,6 +131,10 @@ namespace apps
     s.text("Curve vertical", continuum_output.vertical, Need::optional)
       .means("Column of series.csv for curve.png; empty: the first reaction, or the energy")
       .housekeeping();
+    s.flag("Fracture zone", continuum_output.fracture_zone)
+      .means("Figure fracture_zone_width: how wide the zone is in which energy is dissipated after the vertical column "
+             "has fallen to "
+             "0.8 of its peak; takes as long as another evaluation of all points for each row");
   }
 
   void declare(Section &root, ContinuumModel &model)

@@ -23,6 +23,11 @@ namespace apps
     declare(root, model.gravity);
     declare(root, model.loading);
     declare(root, model.output);
+    root.find_section("Output")
+      ->flag("Fracture zone", model.fracture_zone)
+      .means("Figures tension_fracture_zone_width and the like: how wide the zone is in which links dissipate energy "
+             "by their damage after "
+             "the stress has fallen to 0.8 of its peak; of laws that say what each link dissipates");
     declare(root, model.emission);
   }
 } // namespace apps
