@@ -12,11 +12,12 @@ os.environ.setdefault("GOMP_SPINCOUNT", "1000")
 from . import _breccia  # noqa: E402
 from ._breccia import InputError, NumericalError, OutputError  # noqa: E402
 from .drivers import homogenise, link_test, point_test  # noqa: E402
+from .steps import CoupledRun, Solid  # noqa: E402
 from .values import as_text, as_value  # noqa: E402
 
 __version__ = _breccia.version
-__all__ = ["Scene", "Particles", "Result", "Figure", "InputError", "NumericalError", "OutputError", "link_test", "point_test",
-           "homogenise"]
+__all__ = ["Scene", "Particles", "Solid", "CoupledRun", "Result", "Figure", "InputError", "NumericalError", "OutputError", "link_test",
+           "point_test", "homogenise"]
 
 
 class Figure(NamedTuple):
@@ -88,6 +89,16 @@ class Scene(MutableMapping):
     def particles(self):
         """The particles of a scene of kind "particles", to be moved step by step: Particles. Raises InputError."""
         return Particles(_breccia.MovingParticles(self.file, self._words()))
+
+    def solid(self):
+        """The solid of a scene of kind "continuum" in explicit motion, to be moved step by step: Solid. Raises InputError."""
+        return Solid(_breccia.MovingSolid(self.file, self._words()))
+
+    def start(self, folder=None, resume=False):
+        """Begin a run of a scene of kind "coupled", which is then advanced step by step: CoupledRun. folder, resume: as of run().
+        Raises InputError, OutputError."""
+        folder = "" if folder is None else os.fspath(folder)
+        return CoupledRun(_breccia.CoupledSteps(self.file, self._words(), folder, resume), Result)
 
 
 class Particles:
