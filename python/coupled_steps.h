@@ -30,7 +30,7 @@ namespace python
     /** Up to a time or somewhat beyond, but not beyond the scene's end [s]. @return as advance() */
     std::int64_t advance_to(double time, const std::function<bool()> &stop);
 
-    /** By the name of each surface coupling: what acts on the particles there, at the last forces that are known [N]. */
+    /** By the name of each surface coupling: force of the particles on the solid there, at the last that is known [N]. */
     std::vector<std::pair<std::string, Eigen::Vector3d>> surface_forces() const;
 
     /** Forces from outside, beside the scene's, until clear_forces() [N, N m]; several add up. @throws std::out_of_range */

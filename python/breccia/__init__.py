@@ -41,11 +41,13 @@ class Scene(MutableMapping):
         self.update(changes or {})
         self._entries()  # refuses what cannot be read
 
-    def _words(self):
+    @property
+    def words(self):
+        """The changes as option -s of the program takes them, a list of "Section/Entry=value"."""
         return [f"{path}={value}" for path, value in self._changes.items()]
 
     def _entries(self):
-        return {path: rest for path, *rest in _breccia.entries(self.file, self._words())}
+        return {path: rest for path, *rest in _breccia.entries(self.file, self.words)}
 
     def __getitem__(self, path):
         value, unit, kind, _ = self._entries()[path]
@@ -74,7 +76,7 @@ class Scene(MutableMapping):
 
     def check(self):
         """What a run would take, in the words of `breccia check`. Raises InputError."""
-        return _breccia.forecast(self.file, self._words())
+        return _breccia.forecast(self.file, self.words)
 
     def run(self, folder=None, on_sample=None, resume=False):
         """Run to the end.
@@ -84,21 +86,21 @@ class Scene(MutableMapping):
         KeyboardInterrupt. Raises InputError, NumericalError, OutputError.
         """
         folder = "" if folder is None else os.fspath(folder)
-        return Result(_breccia.run(self.file, self._words(), folder, resume, on_sample))
+        return Result(_breccia.run(self.file, self.words, folder, resume, on_sample))
 
     def particles(self):
         """The particles of a scene of kind "particles", to be moved step by step: Particles. Raises InputError."""
-        return Particles(_breccia.MovingParticles(self.file, self._words()))
+        return Particles(_breccia.MovingParticles(self.file, self.words))
 
     def solid(self):
         """The solid of a scene of kind "continuum" in explicit motion, to be moved step by step: Solid. Raises InputError."""
-        return Solid(_breccia.MovingSolid(self.file, self._words()))
+        return Solid(_breccia.MovingSolid(self.file, self.words))
 
     def start(self, folder=None, resume=False):
         """Begin a run of a scene of kind "coupled", which is then advanced step by step: CoupledRun. folder, resume: as of run().
         Raises InputError, OutputError."""
         folder = "" if folder is None else os.fspath(folder)
-        return CoupledRun(_breccia.CoupledSteps(self.file, self._words(), folder, resume), Result)
+        return CoupledRun(_breccia.CoupledSteps(self.file, self.words, folder, resume), Result)
 
 
 class Particles:

@@ -153,7 +153,7 @@ class CoupledRun:
 
     @property
     def interface_forces(self):
-        """What the solid does to the particles at each surface coupling, by its name, at the last forces that are known (3) [N]."""
+        """Of the particles on the solid at each surface coupling, by its name (3) [N]: those that acted over the last window."""
         return dict(self._steps.surface_forces())
 
     @property

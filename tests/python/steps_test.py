@@ -208,6 +208,18 @@ class CoupledRunTest(unittest.TestCase):
             for axis, value in zip("xyz", force):
                 self.assertEqual(value, rows[-1][f"{name.replace(' ', '_')}_force_{axis}"])
 
+    def test_force_on_the_solid_is_what_particles_lose(self):
+        motion = breccia.Scene(SPHERES, {"Output/Snapshots": 0, "Time/End time": 0.15}).start()
+        motion.advance_to(0.08)  # nothing touches yet
+        momentum, time, impulse = motion.particles.mass @ motion.particles.velocity, motion.time, 0
+        while not motion.over:
+            motion.step()
+            impulse = impulse + motion.interface_forces["beam"] * (motion.time - time)
+            time = motion.time
+        lost = momentum - motion.particles.mass @ motion.particles.velocity
+        self.assertGreater(lost[0], 100)
+        numpy.testing.assert_allclose(impulse, lost, atol=1e-9 * lost[0])
+
     def test_volume_coupling_gives_the_bits_of_a_run(self):
         self.compare_with_program(CORE, {"Time/End time": 1e-4, "Output/Samples": 10, "Output/Snapshots": 0}, 3)
 
