@@ -11,6 +11,7 @@
 #include "postprocess/packings/packing_io.h"
 #include "python/arrays.h"
 #include "python/coupled_steps.h"
+#include "python/live_cell.h"
 #include "python/moving_particles.h"
 #include "python/moving_solid.h"
 #include "python/run_of_scene.h"
@@ -230,6 +231,7 @@ PYBIND11_MODULE(_breccia, m)
     return python::run_scene(file, changes, {folder, resume, on_sample});
   });
   python::bind_coupled_steps(m);
+  python::bind_live_cell(m);
   python::bind_moving_particles(m);
   python::bind_moving_solid(m);
 }

@@ -11,12 +11,13 @@ os.environ.setdefault("GOMP_SPINCOUNT", "1000")
 
 from . import _breccia  # noqa: E402
 from ._breccia import InputError, NumericalError, OutputError  # noqa: E402
+from .cells import Cell  # noqa: E402
 from .drivers import homogenise, link_test, point_test  # noqa: E402
 from .steps import CoupledRun, Solid  # noqa: E402
 from .values import as_text, as_value  # noqa: E402
 
 __version__ = _breccia.version
-__all__ = ["Scene", "Particles", "Solid", "CoupledRun", "Result", "Figure", "InputError", "NumericalError", "OutputError", "link_test",
+__all__ = ["Scene", "Particles", "Cell", "Solid", "CoupledRun", "Result", "Figure", "InputError", "NumericalError", "OutputError", "link_test",
            "point_test", "homogenise"]
 
 
