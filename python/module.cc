@@ -6,7 +6,6 @@
 #include "apps/scene/link_law_named.h"
 #include "apps/scene/material_driver.h"
 #include "base/errors.h"
-#include "dem/specimen/observation.h"
 #include "postprocess/files/errors.h"
 #include "postprocess/packings/packing_io.h"
 #include "python/arrays.h"
@@ -15,6 +14,7 @@
 #include "python/moving_particles.h"
 #include "python/moving_solid.h"
 #include "python/run_of_scene.h"
+#include "python/specimen_arrays.h"
 #include "python/until_exit.h"
 
 #include <nlohmann/json.hpp>
@@ -92,19 +92,13 @@ namespace
   /** Columns of the particles at the end of a run, in the order of the packing; None where there are none. */
   py::object particles_of(const Result &result)
   {
-    if (!result->specimen)
-      return py::none();
-    const dem::ParticleOutput found = result->specimen->particles();
-    py::dict                  columns;
-    columns["position"]         = array_of(found.position);
-    columns["displacement"]     = array_of(found.displacement);
-    columns["velocity"]         = array_of(found.velocity);
-    columns["angular_velocity"] = array_of(found.angular_velocity);
-    columns["radius"]           = array_of(found.radius);
-    columns["damage"]           = array_of(found.damage);
-    columns["broken_links"]     = array_of(found.broken_links);
-    columns["volume"]           = array_of(found.volume);
-    return columns;
+    return result->specimen ? python::particles_in(*result->specimen) : py::object(py::none());
+  }
+
+  /** Columns of its links, likewise. */
+  py::object links_of(const Result &result)
+  {
+    return result->specimen ? python::links_in(*result->specimen) : py::object(py::none());
   }
 
   /** A path of named columns as a table. @throws base::InputError for no columns, unlike lengths, and numbers that are not finite */
@@ -204,7 +198,8 @@ PYBIND11_MODULE(_breccia, m)
     .def("figure_names", [](const Result &r) { return r->figures(); })
     .def("figure", &figure_of)
     .def("series", &series_of)
-    .def("particles", &particles_of);
+    .def("particles", &particles_of)
+    .def("links", &links_of);
 
   m.def("link_test",
         [](const std::string &law, const std::vector<std::string> &constants,

@@ -6,6 +6,7 @@
 #include "base/flat_state.h"
 #include "dem/specimen/particle_columns.h"
 #include "python/signals.h"
+#include "python/specimen_arrays.h"
 
 #include <pybind11/eigen.h>
 #include <pybind11/numpy.h>
@@ -193,6 +194,7 @@ namespace python
       .def_property_readonly("steps", [](const Moving &m) { return m.specimen().steps(); })
       .def("set_time_step", [](Moving &m, const double step) { m.specimen().set_time_step(step); })
       .def("views", [](const py::object &owner) { return views_of(owner, owner.cast<const Moving &>().specimen()); })
+      .def("links", [](const Moving &m) { return links_in(m.specimen()); })
       .def("advance", &advance)
       .def("energies", &energies)
       .def("add_force", &Moving::add_force)

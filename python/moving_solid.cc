@@ -12,7 +12,6 @@
 #include <pybind11/stl.h>
 
 #include <algorithm>
-#include <limits>
 #include <stdexcept>
 
 namespace py = pybind11;
@@ -32,10 +31,7 @@ namespace python
     apps::with_places(*scene.root, [&] { body = apps::make_moving_solid(continuum->model()); });
   }
 
-  double MovingSolid::time_step() const
-  {
-    return own_step > 0 ? own_step : body->next_step(std::numeric_limits<double>::max());
-  }
+  double MovingSolid::time_step() const { return own_step > 0 ? own_step : body->next_step(body->longest_step()); }
 
   void MovingSolid::set_time_step(const double step)
   {

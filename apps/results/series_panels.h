@@ -21,7 +21,7 @@ namespace apps
 
   /** A panel for each column of a series that changes, energies apart, up to a number that can be looked at. */
   std::vector<postprocess::PlotPanel> panels_of_columns(const postprocess::CsvTable &series);
-  /** Its energies together, and below what their balances are off by; nothing where it has none. */
+  /** Its energies together, and apart what their balances are off by; nothing where it has none. */
   std::vector<postprocess::PlotPanel> panels_of_energies(const postprocess::CsvTable &series);
   /** Of a whole series: panels_of_columns(), and energies together as the last one. */
   std::vector<postprocess::PlotPanel> panels_of_series(const postprocess::CsvTable &series);

@@ -174,6 +174,10 @@ class Particles:
         """Force that holds a group, at the start of the last step [N]."""
         return self._moving.reaction(group)
 
+    def links(self):
+        """The links as they are now, as of Result.links(): copies."""
+        return SimpleNamespace(**self._moving.links())
+
     def save(self):
         """Keep the present state in memory, histories included; one at a time. Held groups are to be made before."""
         self._moving.save()
@@ -255,4 +259,12 @@ class Result:
         if sample != -1:
             raise IndexError(f"sample {sample}: a result keeps the particles of the end alone, -1")
         columns = self._found.particles()
+        return None if columns is None else SimpleNamespace(**columns)
+
+    def links(self):
+        """Links at the end: arrays ends (n, 2), numbers of the packing; kind: 0 a bond, 1 a contact, 2 a bond that is gone; normal_force,
+        shear_force [N], normal_stress, shear_stress [Pa], normal_strain, damage [-], dissipated [J] (n), tension positive. None where there
+        are no particles.
+        """
+        columns = self._found.links()
         return None if columns is None else SimpleNamespace(**columns)

@@ -79,7 +79,13 @@ class BarTest(unittest.TestCase):
         solid = breccia.Scene(self.scene, dict(change.split("=") for change in changes)).solid()
         for k, row in enumerate(rows):
             solid.advance_to(1e-4 * ((k + 1) / 5))
+            self.assertEqual(solid.time_step, solid.longest_step)
             self.assertEqual(solid.values, {name: value for name, value in row.items() if name != "time"})
+
+    def test_steps_of_a_deformed_solid_are_as_long_as_is_stable(self):
+        solid = self.rod(**{"Model/Large displacement": True, "Mesh/Cylinder/Divisions": 20})
+        solid.advance()
+        self.assertEqual(solid.time, solid.longest_step)
 
     def test_force_on_the_free_end_sends_the_wave_of_the_closed_form(self):
         # d'Alembert: sigma = F/A travels at c; behind its front the rod moves with v = sigma / (rho c), and the end has gone v t.

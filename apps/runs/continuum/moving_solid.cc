@@ -55,6 +55,8 @@ namespace apps
           {
             throw base::NumericalError(failure.what());
           }
+        if (const std::string invalid = solid->end_of_validity(); !invalid.empty())
+          throw base::NumericalError(invalid);
       }
 
       std::vector<postprocess::SeriesColumn> columns() const override

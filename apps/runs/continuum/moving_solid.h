@@ -21,7 +21,7 @@ namespace apps
     virtual SolidNodes       &nodes()       = 0;
     virtual const SolidNodes &nodes() const = 0;
 
-    /** One step of this length [s]. @throws base::InputError for one that is not above 0 or is too long, base::NumericalError */
+    /** One step of this length [s]. @throws base::InputError for one that is not above 0 or is too long; base::NumericalError also where no state after this one is worth anything */
     virtual void advance(double length) = 0;
 
     /** Step that a run of the scene takes now, on its way to a state this much later [s]. */
