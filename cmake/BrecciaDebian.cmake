@@ -1,4 +1,4 @@
-# What `cpack -G DEB` packs: the program with the libraries beside it, dependent on the Debian packages whose libraries it is linked with
+# What `cpack -G DEB` packs: the program with the libraries beside it, its page for man and completion for shells, dependent on the Debian packages whose libraries it is linked with
 # (dpkg-shlibdeps, of dpkg-dev, reads them). Headers and archives for programs of one's own stay with `cmake --install`.
 #
 # A build for one processor is packed as well, and its file says so: `native` in its name runs on processors like the builder's alone.
@@ -14,6 +14,7 @@ set(CPACK_STRIP_FILES ON)
 set(CPACK_DEBIAN_PACKAGE_MAINTAINER "The Breccia authors <breccia@localhost>")
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_PACKAGE_RECOMMENDS gnuplot-nox) # pictures; without it a run says which are missing
 if(BRECCIA_LEVELS)
   set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
   set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS "${CMAKE_BINARY_DIR}/lib")

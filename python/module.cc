@@ -1,5 +1,4 @@
 // What Python sees of the libraries; breccia/__init__.py makes dictionaries and tables of it.
-#include "apps/process/mpi_session.h"
 #include "apps/process/version.h"
 #include "apps/runs/homogenisation/report.h"
 #include "apps/scene/kinds/read_scene.h"
@@ -7,11 +6,16 @@
 #include "apps/scene/link_law_named.h"
 #include "apps/scene/material_driver.h"
 #include "base/errors.h"
-#include "dem/specimen/observation.h"
 #include "postprocess/files/errors.h"
 #include "postprocess/packings/packing_io.h"
+#include "python/arrays.h"
+#include "python/coupled_steps.h"
+#include "python/live_cell.h"
 #include "python/moving_particles.h"
+#include "python/moving_solid.h"
 #include "python/run_of_scene.h"
+#include "python/specimen_arrays.h"
+#include "python/until_exit.h"
 
 #include <nlohmann/json.hpp>
 
@@ -25,6 +29,7 @@ namespace py = pybind11;
 
 namespace
 {
+  using python::array_of;
   using Result = std::shared_ptr<apps::RunResult>;
 
   /** Every entry of a section that counts: (path, value as text or None, unit, type, meaning). */
@@ -84,38 +89,16 @@ namespace
     return py::make_tuple(figure.value, figure.unit, figure.not_determined);
   }
 
-  template <typename Value>
-  py::array_t<Value> array_of(const std::vector<Value> &values)
-  {
-    return py::array_t<Value>(static_cast<py::ssize_t>(values.size()), values.data());
-  }
-
-  py::array_t<double> array_of(const std::vector<Eigen::Vector3d> &values)
-  {
-    py::array_t<double> array({static_cast<py::ssize_t>(values.size()), py::ssize_t{3}});
-    auto                numbers = array.mutable_unchecked<2>();
-    for (std::size_t i = 0; i < values.size(); ++i)
-      for (int d = 0; d < 3; ++d)
-        numbers(static_cast<py::ssize_t>(i), d) = values[i][d];
-    return array;
-  }
-
   /** Columns of the particles at the end of a run, in the order of the packing; None where there are none. */
   py::object particles_of(const Result &result)
   {
-    if (!result->specimen)
-      return py::none();
-    const dem::ParticleOutput found = result->specimen->particles();
-    py::dict                  columns;
-    columns["position"]         = array_of(found.position);
-    columns["displacement"]     = array_of(found.displacement);
-    columns["velocity"]         = array_of(found.velocity);
-    columns["angular_velocity"] = array_of(found.angular_velocity);
-    columns["radius"]           = array_of(found.radius);
-    columns["damage"]           = array_of(found.damage);
-    columns["broken_links"]     = array_of(found.broken_links);
-    columns["volume"]           = array_of(found.volume);
-    return columns;
+    return result->specimen ? python::particles_in(*result->specimen) : py::object(py::none());
+  }
+
+  /** Columns of its links, likewise. */
+  py::object links_of(const Result &result)
+  {
+    return result->specimen ? python::links_in(*result->specimen) : py::object(py::none());
   }
 
   /** A path of named columns as a table. @throws base::InputError for no columns, unlike lengths, and numbers that are not finite */
@@ -201,8 +184,8 @@ PYBIND11_MODULE(_breccia, m)
   py::register_exception<base::InputError>(m, "InputError", PyExc_ValueError);
   py::register_exception<base::NumericalError>(m, "NumericalError", PyExc_ArithmeticError);
   py::register_exception<postprocess::OutputError>(m, "OutputError", PyExc_OSError);
-  // MPI, which solids start, must be over before the interpreter is.
-  py::module_::import("atexit").attr("register")(py::cpp_function(&apps::finish_mpi));
+  // MPI, which solids start, must be over before the interpreter is, and solids before MPI.
+  py::module_::import("atexit").attr("register")(py::cpp_function(&python::leave));
 
   py::class_<apps::RunResult, Result>(m, "Result")
     .def_property_readonly("complete", [](const Result &r) { return r->end == apps::RunResult::End::complete; })
@@ -215,7 +198,8 @@ PYBIND11_MODULE(_breccia, m)
     .def("figure_names", [](const Result &r) { return r->figures(); })
     .def("figure", &figure_of)
     .def("series", &series_of)
-    .def("particles", &particles_of);
+    .def("particles", &particles_of)
+    .def("links", &links_of);
 
   m.def("link_test",
         [](const std::string &law, const std::vector<std::string> &constants,
@@ -241,5 +225,8 @@ PYBIND11_MODULE(_breccia, m)
                   const bool resume, const py::object &on_sample) {
     return python::run_scene(file, changes, {folder, resume, on_sample});
   });
+  python::bind_coupled_steps(m);
+  python::bind_live_cell(m);
   python::bind_moving_particles(m);
+  python::bind_moving_solid(m);
 }

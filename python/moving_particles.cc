@@ -5,6 +5,8 @@
 #include "base/errors.h"
 #include "base/flat_state.h"
 #include "dem/specimen/particle_columns.h"
+#include "python/signals.h"
+#include "python/specimen_arrays.h"
 
 #include <pybind11/eigen.h>
 #include <pybind11/numpy.h>
@@ -139,39 +141,28 @@ namespace python
       return view;
     }
 
-    /** Columns of the particles by name, views of what moves. */
-    py::dict views_of(const py::object &owner)
-    {
-      const dem::Particles &p = dem::particle_columns(owner.cast<const MovingParticles &>().specimen());
-      py::dict              views;
-      views["position"]     = vectors_in(owner, p.pose, p.count);
-      views["velocity"]     = vectors_in(owner, p.velocity, p.count);
-      views["force"]        = vectors_in(owner, p.force, p.count);
-      views["radius"]       = numbers_in(owner, p.pose.data() + 6, dem::record_size, p.count);
-      views["mass"]         = numbers_in(owner, p.mass.data(), 1, p.count);
-      views["number"]       = numbers_in(owner, p.number.data(), 1, p.count);
-      views["broken_links"] = numbers_in(owner, p.broken_links.data(), 1, p.count);
-      return views;
-    }
+  } // namespace
+
+  py::dict views_of(const py::object &owner, const dem::Specimen &specimen)
+  {
+    const dem::Particles &p = dem::particle_columns(specimen);
+    py::dict              views;
+    views["position"]     = vectors_in(owner, p.pose, p.count);
+    views["velocity"]     = vectors_in(owner, p.velocity, p.count);
+    views["force"]        = vectors_in(owner, p.force, p.count);
+    views["radius"]       = numbers_in(owner, p.pose.data() + 6, dem::record_size, p.count);
+    views["mass"]         = numbers_in(owner, p.mass.data(), 1, p.count);
+    views["number"]       = numbers_in(owner, p.number.data(), 1, p.count);
+    views["broken_links"] = numbers_in(owner, p.broken_links.data(), 1, p.count);
+    return views;
+  }
+
+  namespace
+  {
 
     std::int64_t advance(MovingParticles &moving, const std::int64_t steps)
     {
-      bool                         raised = false;
-      std::int64_t                 asked = 0, taken = 0;
-      const py::gil_scoped_release letting_go;
-      taken = moving.advance(steps, [&] {
-        if (++asked % 1000 != 0)
-          return false;
-        const py::gil_scoped_acquire holding;
-        raised = PyErr_CheckSignals() != 0;
-        return raised;
-      });
-      if (raised)
-        {
-          const py::gil_scoped_acquire holding;
-          throw py::error_already_set();
-        }
-      return taken;
+      return let_interrupt([&](const auto &stop) { return moving.advance(steps, stop); });
     }
 
     py::dict energies(const MovingParticles &moving)
@@ -202,7 +193,8 @@ namespace python
       .def_property_readonly("longest_step", [](const Moving &m) { return m.specimen().longest_step(); })
       .def_property_readonly("steps", [](const Moving &m) { return m.specimen().steps(); })
       .def("set_time_step", [](Moving &m, const double step) { m.specimen().set_time_step(step); })
-      .def("views", &views_of)
+      .def("views", [](const py::object &owner) { return views_of(owner, owner.cast<const Moving &>().specimen()); })
+      .def("links", [](const Moving &m) { return links_in(m.specimen()); })
       .def("advance", &advance)
       .def("energies", &energies)
       .def("add_force", &Moving::add_force)

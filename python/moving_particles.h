@@ -61,5 +61,8 @@ namespace python
     std::size_t                          held_then = 0; ///< groups when the state was kept
   };
 
+  /** Columns of the particles by name, views of what moves. @param owner of the specimen, which they keep alive */
+  pybind11::dict views_of(const pybind11::object &owner, const dem::Specimen &specimen);
+
   void bind_moving_particles(pybind11::module_ &module);
 } // namespace python

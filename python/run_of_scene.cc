@@ -5,8 +5,8 @@
 #include "apps/scene/kinds/read_scene.h"
 #include "apps/scene/reader.h"
 #include "base/errors.h"
-
-#include <chrono>
+#include "python/signals.h"
+#include "python/until_exit.h"
 
 namespace py = pybind11;
 
@@ -56,42 +56,25 @@ namespace python
       std::vector<postprocess::SeriesColumn> columns;
     };
 
-    /** Whether a signal has come that a handler of Python turns into an exception; asked often, so it looks ten times a second. */
-    class SignalsOfPython
-    {
-    public:
-      bool raised()
-      {
-        const auto now = std::chrono::steady_clock::now();
-        if (has_come || now - looked < std::chrono::milliseconds(100))
-          return has_come;
-        looked = now;
-        const py::gil_scoped_acquire holding;
-        if (PyErr_CheckSignals() != 0)
-          {
-            PyErr_Clear(); // raised again when the state is saved
-            has_come = true;
-          }
-        return has_come;
-      }
-
-    private:
-      bool                                  has_come = false;
-      std::chrono::steady_clock::time_point looked;
-    };
   } // namespace
 
-  std::shared_ptr<apps::RunResult>
-  run_scene(const std::string &file, const std::vector<std::string> &changes, const RunChoice &choice)
+  apps::RunRequest request_for(const apps::CheckedScene &scene, const RunChoice &choice)
   {
-    const apps::CheckedScene scene = apps::read_scene(file, changes);
     if (scene.replicates > 1)
-      throw base::InputError(file +
+      throw base::InputError(scene.file +
                              ": Replicates: several runs are made by \"breccia run\"; here the seeds are changed.");
     apps::RunRequest request = apps::request_of(scene);
     request.output_folder    = choice.folder;
     request.resume           = choice.resume;
-    request.overrides        = changes;
+    request.overrides        = scene.overrides;
+    return request;
+  }
+
+  std::shared_ptr<apps::RunResult>
+  run_scene(const std::string &file, const std::vector<std::string> &changes, const RunChoice &choice)
+  {
+    const apps::CheckedScene scene   = apps::read_scene(file, changes);
+    apps::RunRequest         request = request_for(scene, choice);
 
     RowsToPython    rows(choice.on_sample);
     SignalsOfPython signals;
@@ -113,6 +96,7 @@ namespace python
                         result->go_on.empty() ? "interrupted" : ("interrupted. " + result->go_on).c_str());
         throw py::error_already_set();
       }
+    keep_until_exit(result);
     return result;
   }
 } // namespace python

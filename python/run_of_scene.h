@@ -1,6 +1,7 @@
 #pragma once
 
 #include "apps/results/run_result.h"
+#include "apps/scene/kinds/read_scene.h"
 
 #include <pybind11/pybind11.h>
 
@@ -18,6 +19,9 @@ namespace python
     pybind11::object
       on_sample; ///< called with a dictionary for every row of the series; a true answer stops the run. None: nothing
   };
+
+  /** @throws base::InputError for a scene of several runs */
+  apps::RunRequest request_for(const apps::CheckedScene &scene, const RunChoice &choice);
 
   /**
    * Run a scene to its end, or until the callback or Ctrl-C stops it; other threads of Python go on meanwhile. After Ctrl-C the state is

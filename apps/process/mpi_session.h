@@ -10,7 +10,7 @@ namespace apps
   /** Which of them this is, from 0. */
   int launched_rank();
 
-  /** Make MPI ready, which finite elements need on one rank too; a second call does nothing. */
+  /** Make MPI ready, which finite elements need on one rank too; a second call does nothing. @throws base::InputError where others have started it */
   void start_mpi();
 
   /** End MPI, if it was started; call it last, outside any handling of exceptions. */

@@ -36,6 +36,22 @@ namespace apps
       SharedState shared(whole ? &*whole : nullptr, reads);
       visit(shared);
     }
+
+    /** What surrounds the work of a request, as long as it lives: what stops it, and silence where nobody shows progress. */
+    class Surroundings
+    {
+    public:
+      explicit Surroundings(const RunRequest &request)
+        : stops(request.stop)
+      {
+        if (!shows_progress(request))
+          silence.emplace();
+      }
+
+    private:
+      StopsToo                  stops;
+      std::optional<SilentWork> silence;
+    };
   } // namespace
 
   std::string way_to_go_on(const RunRequest &request)
@@ -96,17 +112,26 @@ namespace apps
 
   RunResult LifeCycle::execute()
   {
-    const StopsToo            stops(request.stop);
-    std::optional<SilentWork> silence;
-    if (!shows_progress(request))
-      silence.emplace();
+    start();
+    while (go_on())
+      continue;
+    return finish();
+  }
+
+  void LifeCycle::start()
+  {
+    const Surroundings around(request);
     if (request.resume)
       resume();
     else
       begin();
-    compute();
+  }
+
+  RunResult LifeCycle::finish()
+  {
+    const Surroundings around(request);
     if (result.end == RunResult::End::complete)
-      finish();
+      complete();
     tell(request, &RunObserver::ends, result);
     return std::move(result);
   }
@@ -208,28 +233,36 @@ namespace apps
     tell(request, &RunObserver::row, row);
   }
 
-  void LifeCycle::compute()
+  bool LifeCycle::go_on()
   {
-    while (!work.finished())
+    const Surroundings around(request);
+    if (work.finished())
       {
-        if (work.stage() != result.stage)
-          {
-            result.stage = work.stage();
-            tell(request, &RunObserver::stage, result.stage);
-          }
-        advance();
-        tell(request, &RunObserver::progress, work.done(), work.details());
-        if (interrupted_on_any_rank())
-          {
-            const AnsweringInterrupt answering;
-            save();
-            result.end = RunResult::End::interrupted;
-            return;
-          }
-        if (on_any_rank(clock.is_due()))
-          save();
+        result.stage.clear();
+        return false;
       }
-    result.stage.clear();
+    if (work.stage() != result.stage)
+      {
+        result.stage = work.stage();
+        tell(request, &RunObserver::stage, result.stage);
+      }
+    advance();
+    tell(request, &RunObserver::progress, work.done(), work.details());
+    if (interrupted_on_any_rank())
+      {
+        interrupt();
+        return false;
+      }
+    if (on_any_rank(clock.is_due()))
+      save();
+    return true;
+  }
+
+  void LifeCycle::interrupt()
+  {
+    const AnsweringInterrupt answering;
+    save();
+    result.end = RunResult::End::interrupted;
   }
 
   void LifeCycle::advance()
@@ -249,7 +282,7 @@ namespace apps
       }
   }
 
-  void LifeCycle::finish()
+  void LifeCycle::complete()
   {
     constexpr double worth_saving = 10; // seconds of work that an interrupt of the last words would lose
     if (on_any_rank(clock.seconds_since_saved() > worth_saving))

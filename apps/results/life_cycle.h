@@ -49,12 +49,21 @@ namespace apps
     /** Once. Throws as Scene::run(). */
     RunResult execute();
 
+    // In its place, for a program that goes from state to state: start() once, go_on() until there is nothing more to do, finish() once.
+    // Each throws as Scene::run().
+
+    void start();
+    /** To the next state. @return whether there is more to do; false: it is at its end, or was interrupted */
+    bool go_on();
+    /** Save, as after an interrupt: there is nothing more to do. */
+    void      interrupt();
+    RunResult finish();
+
   private:
     void begin();
     void resume();
-    void compute(); ///< to the end, or to an interrupt
     void advance();
-    void finish();
+    void complete();
     void save();
     void write_checkpoint();
     void visit_run(RunState &state, std::int64_t &rows);

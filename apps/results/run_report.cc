@@ -82,16 +82,35 @@ namespace apps
       page.table(rows);
     }
 
-    void add_curves(postprocess::HtmlPage &page, const postprocess::CsvTable &series)
+    void add_panels(postprocess::HtmlPage                     &page,
+                    const std::vector<postprocess::PlotPanel> &panels,
+                    const std::string                         &what,
+                    const std::string                         &caption)
     {
-      const std::vector<postprocess::PlotPanel> panels = panels_of_series(series);
       if (panels.empty())
         return;
       const postprocess::ScratchFolder scratch("report");
-      const std::string                problem = postprocess::plot(scratch / "series.png", panels);
-      warn_of_missing("the series in " + std::string(report_name), problem);
-      page.heading("Series");
-      page.picture(scratch / "series.png", "Every column of series.csv that changes");
+      const std::string                problem = postprocess::plot(scratch / "panels.png", panels);
+      warn_of_missing(what + " in " + report_name, problem);
+      page.picture(scratch / "panels.png", caption);
+    }
+
+    void add_energy(postprocess::HtmlPage &page, const RunResult &result)
+    {
+      add_table(page, result, "energy", "Energy");
+      const auto panels = panels_of_energies(result.series);
+      if (!result.summary.contains("energy") && !panels.empty())
+        page.heading("Energy");
+      add_panels(page, panels, "the energies",
+                 "Where the energy has come from and where it is; beside it what the balance is off by");
+    }
+
+    void add_curves(postprocess::HtmlPage &page, const postprocess::CsvTable &series)
+    {
+      const auto panels = panels_of_columns(series);
+      if (!panels.empty())
+        page.heading("Series");
+      add_panels(page, panels, "the series", "Every column of series.csv that changes, energies apart");
     }
 
     void add_pictures(postprocess::HtmlPage &page, const fs::path &folder)
@@ -118,7 +137,7 @@ namespace apps
       page.paragraph("None.");
     add_figures(page, result);
     add_question(page, request, result.summary);
-    add_table(page, result, "energy", "Energy");
+    add_energy(page, result);
     add_table(page, result, "cost", "Cost");
     page.folded("summary.json", result.summary.dump(2));
     add_curves(page, result.series);

@@ -49,6 +49,7 @@ namespace apps
     }
 
     bool is_energy(const std::string &name) { return name.rfind("energy_", 0) == 0; }
+    bool is_residual(const std::string &name) { return name.find("residual") != std::string::npos; }
   } // namespace
 
   std::string abscissa_of(const postprocess::CsvTable &series)
@@ -60,6 +61,22 @@ namespace apps
         return series.names[k];
     return "";
   }
+
+  namespace
+  {
+    /** Columns of numbers that are not the same in every row, but for the abscissa; none of a series that shows nothing. */
+    std::vector<std::string> changing_columns(const postprocess::CsvTable &series)
+    {
+      const std::string        horizontal = abscissa_of(series);
+      std::vector<std::string> names;
+      if (horizontal.empty() || series.rows() < 2)
+        return names;
+      for (std::size_t k = 0; k < series.names.size(); ++k)
+        if (series.names[k] != horizontal && !series.columns[k].empty() && changes(series.columns[k]))
+          names.push_back(series.names[k]);
+      return names;
+    }
+  } // namespace
 
   postprocess::PlotPanel panel_of_columns(const postprocess::CsvTable    &series,
                                           const std::string              &horizontal,
@@ -97,28 +114,38 @@ namespace apps
     return panel;
   }
 
-  std::vector<postprocess::PlotPanel> panels_of_series(const postprocess::CsvTable &series)
+  std::vector<postprocess::PlotPanel> panels_of_columns(const postprocess::CsvTable &series)
   {
     const std::string                   horizontal = abscissa_of(series);
-    std::vector<std::string>            energies;
     std::vector<postprocess::PlotPanel> panels;
-    if (horizontal.empty() || series.rows() < 2)
-      return panels;
-    for (std::size_t k = 0; k < series.names.size(); ++k)
-      {
-        const std::string &name = series.names[k];
-        if (name == horizontal || series.columns[k].empty() || !changes(series.columns[k]))
-          continue;
-        if (is_energy(name))
-          energies.push_back(name);
-        else if (panels.size() + 1 < most_panels)
-          panels.push_back(panel_of_columns(series, horizontal, {name}));
-      }
-    const auto balances = [](const std::string &name) { return name.find("residual") != std::string::npos; };
-    energies.erase(std::remove_if(energies.begin(), energies.end(), balances),
-                   energies.end()); // next to nothing beside the others
-    if (!energies.empty())
-      panels.push_back(panel_of_columns(series, horizontal, energies));
+    for (const std::string &name : changing_columns(series))
+      if (!is_energy(name) && panels.size() + 1 < most_panels)
+        panels.push_back(panel_of_columns(series, horizontal, {name}));
+    return panels;
+  }
+
+  std::vector<postprocess::PlotPanel> panels_of_energies(const postprocess::CsvTable &series)
+  {
+    std::vector<std::string> terms, residuals;
+    for (const std::string &name : changing_columns(series))
+      if (is_energy(name) && series.units[place_of(series, name)] == "J")
+        (is_residual(name) ? residuals : terms).push_back(name); // next to nothing beside the others
+    std::vector<postprocess::PlotPanel> panels;
+    for (const std::vector<std::string> &together : {terms, residuals})
+      if (!together.empty())
+        panels.push_back(panel_of_columns(series, abscissa_of(series), together));
+    return panels;
+  }
+
+  std::vector<postprocess::PlotPanel> panels_of_series(const postprocess::CsvTable &series)
+  {
+    std::vector<postprocess::PlotPanel> panels = panels_of_columns(series);
+    std::vector<std::string>            terms;
+    for (const std::string &name : changing_columns(series))
+      if (is_energy(name) && !is_residual(name))
+        terms.push_back(name);
+    if (!terms.empty())
+      panels.push_back(panel_of_columns(series, abscissa_of(series), terms));
     return panels;
   }
 } // namespace apps

@@ -19,6 +19,10 @@ namespace apps
                                           const std::string              &horizontal,
                                           const std::vector<std::string> &verticals);
 
-  /** Of a whole series: energies together, and a panel for each other column that changes, up to a number that can be looked at. */
+  /** A panel for each column of a series that changes, energies apart, up to a number that can be looked at. */
+  std::vector<postprocess::PlotPanel> panels_of_columns(const postprocess::CsvTable &series);
+  /** Its energies together, and apart what their balances are off by; nothing where it has none. */
+  std::vector<postprocess::PlotPanel> panels_of_energies(const postprocess::CsvTable &series);
+  /** Of a whole series: panels_of_columns(), and energies together as the last one. */
   std::vector<postprocess::PlotPanel> panels_of_series(const postprocess::CsvTable &series);
 } // namespace apps

@@ -325,6 +325,8 @@ namespace coupling
     for (const auto &c : couplings)
       c->forces_to_fem(kick, share);
     body_contacts.push(kick);
+    if (drive_solid)
+      drive_solid();
     rigid_bodies.drive(last_solid_step > 0 ? kick : 0.5 * step, step);
   }
 

@@ -51,6 +51,9 @@ namespace coupling
     SolidContacts<dim>       &contacts() { return body_contacts; }
     const SolidContacts<dim> &contacts() const { return body_contacts; }
 
+    /** What pushes the solid from outside in its next step, with SolidParticipant::add_force(); called before each. */
+    void set_drive_of_solid(std::function<void()> push) { drive_solid = std::move(push); }
+
     /** Steps of either side in one of the other, at most. 1: both take the same. */
     void set_largest_ratio(int ratio) { largest_ratio = ratio; }
     /** What such windows may lose, as a part of the largest energy: they are as long as that allows. 1: whatever is lost. */
@@ -113,7 +116,7 @@ namespace coupling
     fem::ExplicitSolver<dim>                          &motion;
     SolidParticipant<dim>                             &participant;
     ParticleParticipant                                particles;
-    std::function<void()>                              drive;
+    std::function<void()>                              drive, drive_solid;
     std::vector<std::unique_ptr<SurfaceCoupling<dim>>> couplings;
     std::vector<std::unique_ptr<VolumeCoupling<dim>>>  handshakes;
     std::vector<std::size_t>                           corrected; ///< particles of the handshakes, one after the other

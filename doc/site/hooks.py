@@ -3,6 +3,7 @@
 The order is that of the tables in doc/tutorials/README.md and doc/theory/README.md, so that a new page is entered in one place only.
 """
 
+import json
 import os
 import re
 
@@ -41,17 +42,56 @@ def title_of(path):
     return re.sub(r"[`*]", "", found.group(1)) if found else os.path.basename(path)
 
 
+def title_of_notebook(name):
+    return "".join(json.loads(text_of(f"doc/notebooks/{name}.ipynb"))["cells"][0]["source"]).splitlines()[0].lstrip("# ")
+
+
 def pages_of(folder, tables):
     return [{name[0].upper() + name[1:]: [{title_of(f"doc/{folder}/{page}"): f"{folder}/{page}"} for page, _ in pages]}
             for name, pages in tables]
 
 
+def notebooks():
+    """Names of the notebooks, in the order of the table in doc/tutorials/notebooks.md."""
+    return re.findall(r"^\| \[[^\]]*\]\(\.\./notebooks/(\w+)\.ipynb\)", text_of("doc/tutorials/notebooks.md"), re.M)
+
+
+def shown(name, book):
+    """Outputs of each cell of a notebook, from where its test has left them; none where that ran another one or not at all."""
+    try:
+        ran = json.loads(text_of(f"build/release/python/notebooks/{name}.ipynb"))
+    except FileNotFoundError:
+        return [[] for _ in book["cells"]]
+    if [cell["source"] for cell in ran["cells"]] != [cell["source"] for cell in book["cells"]]:
+        return [[] for _ in book["cells"]]
+    return [cell.get("outputs", []) for cell in ran["cells"]]
+
+
+def page_of_notebook(name):
+    """A notebook as a page."""
+    book = json.loads(text_of(f"doc/notebooks/{name}.ipynb"))
+    out = []
+    for cell, outputs in zip(book["cells"], shown(name, book)):
+        source = "".join(cell["source"])
+        out.append(source if cell["cell_type"] == "markdown" else f"```python\n{source}\n```")
+        for output in outputs:
+            data = output.get("data", {})
+            if output.get("name") == "stderr":
+                continue
+            if "image/png" in data:
+                out.append(f'<img src="data:image/png;base64,{data["image/png"].strip()}" alt="">')
+            elif said := "".join(output.get("text", data.get("text/plain", ""))).rstrip():
+                out.append(f"```text\n{said}\n```")
+    return "\n\n".join(out) + f"\n\n[The notebook]({name}.ipynb.txt) itself stands in `doc/notebooks`.\n"
+
+
 def on_config(config):
     tutorials = pages_of("tutorials", tables_of("doc/tutorials/README.md"))
     theory = pages_of("theory", tables_of("doc/theory/README.md"))
+    of_python = [{title_of_notebook(name): f"notebooks/{name}.md"} for name in notebooks()]
     config.nav = [{"Breccia": "index.md"}, {"Tutorials": ["tutorials/README.md", *tutorials]},
                   {"Theory": ["theory/README.md", *theory, {"Equations": "theory/equations.md"}]},
-                  {"Parameters": "parameters.md"}, {"Files": "formats.md"}, {"Hard cases": "hard-cases.md"},
+                  {"Notebooks": ["tutorials/notebooks.md", *of_python]}, {"Parameters": "parameters.md"}, {"Files": "formats.md"}, {"Hard cases": "hard-cases.md"},
                   {"Contributing": "contributing.md"}, {"Changes": "changelog.md"}]
     return config
 
@@ -75,11 +115,15 @@ def copied(files, config, folder, uri, name):
 
 
 def on_files(files, config):
-    for file in [f for f in files if f.src_path.endswith(".py")]:
+    for file in [f for f in files if f.src_path.endswith((".py", ".ipynb"))]:
         files.remove(file)
+    for name in notebooks():
+        generated(files, config, f"notebooks/{name}.md", page_of_notebook(name))
+        copied(files, config, ROOT + "/doc/notebooks", f"notebooks/{name}.ipynb.txt", f"{name}.ipynb")
     generated(files, config, "index.md", text_of("README.md"))
     for source, page in OUTSIDE.items():
         generated(files, config, page, text_of(source))
+    copied(files, config, ROOT, "citation.txt", "CITATION.cff")
     for script in SCRIPTS:
         copied(files, config, KATEX, "katex/" + os.path.basename(script), script)
     for font in sorted(os.listdir(KATEX + "/fonts")):
@@ -115,10 +159,14 @@ def cards():
 
 def page_of(path):
     """Where a file of the source tree is on the site; None where it is not on it."""
+    if path.startswith("doc/notebooks/") and path.endswith(".ipynb"):
+        return path[len("doc/"):-len("ipynb")] + "md"
     if path.startswith("doc/"):
         return path[len("doc/"):]
     if path.startswith("apps/scenes/") and path.endswith(".prm"):
         return "scenes/" + os.path.basename(path) + ".txt"
+    if path == "CITATION.cff":
+        return "citation.txt"
     return OUTSIDE.get(path, "index.md" if path == "README.md" else None)
 
 

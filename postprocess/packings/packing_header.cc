@@ -152,7 +152,8 @@ namespace postprocess
           {
             if (*place)
               refuse(origin, line, std::string("the header names the column ") + word + " twice.");
-            *place = i;
+            *place                    = i;
+            columns.numbers_materials = columns.numbers_materials || std::string_view(word) == "matid";
           }
     return columns;
   }

@@ -23,6 +23,7 @@ namespace postprocess
     std::size_t                                             count    = quantities;
     bool                                                    diameter = false; ///< in place of the radius
     bool                                                    named    = false; ///< by a header
+    bool numbers_materials = false; ///< the column of materials is YADE's, matId
   };
 
   /** Names of columns with their units: `x [mm]`, `x (mm)`, `x(mm)`, `x_mm`; between commas or, where there are none, blanks. */

@@ -8,6 +8,7 @@
 #include "postprocess/packings/packing_hdf5.h"
 #include "postprocess/packings/packing_lammps.h"
 #include "postprocess/packings/packing_text.h"
+#include "postprocess/packings/packing_yade.h"
 
 #include <algorithm>
 #include <cctype>
@@ -124,6 +125,8 @@ namespace postprocess
       write_packing_hdf5(packing, path, metadata);
     else if (const auto foreign = lammps_name(path))
       write_text(path, packing_as_lammps(*foreign, packing));
+    else if (is_named_yade(path))
+      write_text(path, packing_as_yade(packing, metadata));
     else
       write_text(path, packing_as_text(packing, metadata, path.extension() == ".csv" ? ',' : ' '));
   }

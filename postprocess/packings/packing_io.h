@@ -50,7 +50,7 @@ namespace postprocess
 
   /**
    * Write a packing atomically: HDF5 when the name ends in .h5 or .hdf5, data of LAMMPS in .data and .lmp and a dump
-   * in .dump and .lammpstrj, otherwise text (commas for .csv).
+   * in .dump and .lammpstrj, text of YADE in .yade, otherwise text (commas for .csv).
    *
    * Reading it back gives the same bits (in text, materials without names get their numbers as names). LAMMPS numbers types from 1 and knows neither
    * their names nor metadata.

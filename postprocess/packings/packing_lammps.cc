@@ -54,7 +54,7 @@ namespace postprocess
 
     std::string data_text(const dem::Packing &packing, const BoxAround &box)
     {
-      std::int32_t types = 1;
+      auto types = std::max<std::int32_t>(1, static_cast<std::int32_t>(packing.material_names.size()));
       for (std::size_t i = 0; i < packing.size(); ++i)
         types = std::max(types, type_of(packing, i));
       std::string text = std::string("Spheres of Breccia, lengths in m, boundary ") +

@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <map>
 #include <numeric>
-#include <set>
 
 namespace postprocess
 {
@@ -75,6 +75,19 @@ namespace postprocess
         return static_cast<std::size_t>(value);
       }
 
+      /** A type of atoms, up to the last one that there is; 0: the file does not say which that is. */
+      double type_at(const std::size_t column, const std::size_t last) const
+      {
+        const double most  = last > 0 ? static_cast<double>(last) : most_types;
+        const double value = number_at(column);
+        if (!(value >= 1 && value <= most) || value != std::floor(value))
+          refuse_line("type " + std::string(fields[column]) + ": expected a whole number from 1 to " +
+                      std::to_string(static_cast<long>(most)) + ".");
+        return value;
+      }
+
+      static constexpr double most_types = 1e5; ///< each is kept, whether there are atoms of it or not
+
       [[noreturn]] void refuse_line(const std::string &message) const { refuse(origin, lines.number(), message); }
 
       Lines            lines;
@@ -83,14 +96,16 @@ namespace postprocess
       std::string_view comment;
     };
 
-    dem::Packing
-    packing_of(std::vector<Sphere> spheres, const std::optional<LammpsBox> &box, const LammpsReader &reader)
+    /** @param types that there are, whether of any sphere or not; 0: the file does not say */
+    dem::Packing packing_of(std::vector<Sphere>             spheres,
+                            const std::optional<LammpsBox> &box,
+                            std::size_t                     types,
+                            const LammpsReader             &reader)
     {
       std::stable_sort(spheres.begin(), spheres.end(), [](const Sphere &a, const Sphere &b) { return a.id < b.id; });
-      dem::Packing     packing;
-      std::set<double> types;
+      dem::Packing packing;
       for (const Sphere &sphere : spheres)
-        types.insert(sphere.type);
+        types = std::max(types, static_cast<std::size_t>(sphere.type));
       for (const Sphere &sphere : spheres)
         {
           if (!(sphere.radius > 0))
@@ -98,13 +113,11 @@ namespace postprocess
                                    " has no size; spheres have.");
           packing.centre.push_back(sphere.place);
           packing.radius.push_back(sphere.radius);
-          if (types.size() > 1)
-            packing.material.push_back(
-              static_cast<std::int32_t>(std::distance(types.begin(), types.find(sphere.type))));
+          if (types > 1)
+            packing.material.push_back(static_cast<std::int32_t>(sphere.type) - 1);
         }
-      if (types.size() > 1)
-        for (const double type : types)
-          packing.material_names.push_back(std::to_string(static_cast<long>(type)));
+      for (std::size_t type = 1; types > 1 && type <= types; ++type)
+        packing.material_names.push_back(std::to_string(type));
       const auto periodic = box ? std::count(box->periodic.begin(), box->periodic.end(), true) : 0;
       if (periodic == 0)
         return packing;
@@ -129,11 +142,11 @@ namespace postprocess
       return std::isupper(static_cast<unsigned char>(fields.front().front())) != 0;
     }
 
-    Sphere sphere_of_data(const LammpsReader &reader)
+    Sphere sphere_of_data(const LammpsReader &reader, const std::size_t types)
     {
       Sphere sphere; // atom-ID atom-type diameter density x y z, and images of the box perhaps
       sphere.id     = reader.number_at(0);
-      sphere.type   = reader.number_at(1);
+      sphere.type   = reader.type_at(1, types);
       sphere.radius = 0.5 * reader.number_at(2);
       for (int d = 0; d < 3; ++d)
         sphere.place[d] = reader.number_at(4 + static_cast<std::size_t>(d));
@@ -150,10 +163,12 @@ namespace postprocess
       LammpsBox    box;
       box.periodic.fill(first.find("boundary p p p") != std::string_view::npos);
       reader.lines.next(); // a title
-      std::size_t atoms = 0;
+      std::size_t atoms = 0, types = 0;
       while (reader.next() && !(is_section(reader.fields) && reader.fields.front() == "Atoms"))
         if (const Fields &f = reader.fields; f.size() == 2 && f[1] == "atoms")
           atoms = reader.count_at(0);
+        else if (f.size() == 3 && f[1] == "atom" && f[2] == "types")
+          types = static_cast<std::size_t>(reader.type_at(0, 0));
         else if (f.size() == 4 && f[3].size() == 3 && f[3].substr(1) == "hi" && f[2].substr(1) == "lo")
           {
             const std::size_t d = static_cast<std::size_t>(f[3][0] - 'x');
@@ -172,9 +187,9 @@ namespace postprocess
       for (std::size_t i = 0; i < atoms; ++i)
         {
           reader.need("atom " + std::to_string(i + 1) + " of " + std::to_string(atoms));
-          spheres.push_back(sphere_of_data(reader));
+          spheres.push_back(sphere_of_data(reader, types));
         }
-      return packing_of(std::move(spheres), box, reader);
+      return packing_of(std::move(spheres), box, types, reader);
     }
 
     // --- dump ---
@@ -201,7 +216,7 @@ namespace postprocess
                              std::to_string(place.size()) + ".");
         Sphere sphere;
         sphere.id   = has("id") ? reader.number_at(place.at("id")) : static_cast<double>(row);
-        sphere.type = has("type") ? reader.number_at(place.at("type")) : 1;
+        sphere.type = has("type") ? reader.type_at(place.at("type"), 0) : 1;
         sphere.radius =
           has("radius") ? reader.number_at(place.at("radius")) : 0.5 * reader.number_at(place.at("diameter"));
         for (int d = 0; d < 3; ++d)
@@ -268,7 +283,7 @@ namespace postprocess
         }
       if (spheres.empty())
         throw base::InputError(origin + ": holds no snapshot with atoms.");
-      return packing_of(std::move(spheres), box, reader);
+      return packing_of(std::move(spheres), box, 0, reader);
     }
   } // namespace
 

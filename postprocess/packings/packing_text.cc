@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <cmath>
 #include <map>
 #include <optional>
 
@@ -159,6 +160,8 @@ namespace postprocess
       {
         if (numbers.empty())
           number_materials();
+        if (layout.numbers_materials && !announced.empty())
+          return number_of_announced(field);
         const std::string name(field);
         if (const auto known = numbers.find(name); known != numbers.end())
           return known->second;
@@ -167,6 +170,16 @@ namespace postprocess
         if (!dem::is_material_name(name))
           refuse_line("material \"" + name + "\": " + dem::material_name_rule() + ".");
         return numbers.emplace(name, numbers.size()).first->second;
+      }
+
+      /** YADE has numbers in the rows; what they are called our line "# materials" says. */
+      std::int32_t number_of_announced(const std::string_view field) const
+      {
+        const double value = finite_number(field, origin, lines.number());
+        if (!(value >= 0 && value < static_cast<double>(announced.size())) || value != std::floor(value))
+          refuse_line("material " + std::string(field) + ": the line \"# materials\" names " +
+                      std::to_string(announced.size()) + ", numbered from 0.");
+        return static_cast<std::int32_t>(value);
       }
 
       void use_header(const std::vector<ColumnName> &names, const std::size_t line)
@@ -306,78 +319,5 @@ namespace postprocess
     PackingParser     parser(path.string(), text, {});
     parser.parse();
     return parser.says_unit();
-  }
-
-  namespace
-  {
-    /** What its materials are called; those without a name by their number. Empty: there is one material. */
-    std::vector<std::string> names_of_materials(const dem::Packing &packing)
-    {
-      std::vector<std::string> names;
-      if (packing.material.empty())
-        return names;
-      names = packing.material_names;
-      for (const std::int32_t number : packing.material)
-        while (static_cast<std::int32_t>(names.size()) <= number)
-          names.push_back(std::to_string(names.size()));
-      return names;
-    }
-  } // namespace
-
-  std::string packing_as_text(const dem::Packing &packing, const Metadata &metadata, const char separator)
-  {
-    std::string text = "# breccia packing: lengths in m\n";
-    for (const auto &[key, value] : metadata)
-      text += "# " + key + ": " + value + "\n";
-
-    const auto append_row = [&](const std::string &begin, const std::vector<double> &values, const char between,
-                                const std::string &last = "") {
-      text += begin;
-      for (std::size_t i = 0; i < values.size(); ++i)
-        {
-          if (i > 0)
-            text += between;
-          append(text, values[i]);
-        }
-      if (!last.empty())
-        (text += between) += last;
-      text += '\n';
-    };
-    if (packing.periodic_cell)
-      append_row("# periodic_cell ",
-                 {packing.periodic_cell->x(), packing.periodic_cell->y(), packing.periodic_cell->z()}, ' ');
-    const std::vector<std::string> materials = names_of_materials(packing);
-    if (!materials.empty())
-      {
-        text += "# materials";
-        for (const std::string &name : materials)
-          text += " " + name;
-        text += '\n';
-      }
-    for (const dem::PackedBody &body : packing.bodies)
-      {
-        const Eigen::Matrix3d &I = body.inertia;
-        append_row("# body ",
-                   {body.volume, body.centre.x(), body.centre.y(), body.centre.z(), I(0, 0), I(1, 1), I(2, 2), I(1, 2),
-                    I(0, 2), I(0, 1)},
-                   ' ');
-      }
-    for (const char *const name : {"x", "y", "z"})
-      (text += name) += separator;
-    text += "radius";
-    if (!materials.empty())
-      (text += separator) += "material";
-    if (!packing.clump.empty())
-      (text += separator) += "clump";
-    text += '\n';
-    for (std::size_t i = 0; i < packing.size(); ++i)
-      {
-        std::string last = materials.empty() ? "" : materials.at(static_cast<std::size_t>(packing.material[i]));
-        if (!packing.clump.empty())
-          (last.empty() ? last : last += separator) += std::to_string(packing.clump[i]);
-        append_row("", {packing.centre[i].x(), packing.centre[i].y(), packing.centre[i].z(), packing.radius[i]},
-                   separator, last);
-      }
-    return text;
   }
 } // namespace postprocess

@@ -14,6 +14,9 @@ namespace postprocess
   /** Whether columns or comments name the unit of the lengths. @throws base::InputError as read_packing_text() */
   bool packing_text_says_unit(const std::filesystem::path &path);
 
+  /** What comments of a text say of a packing besides its rows, lines "# ...": metadata, cell, names of materials. */
+  std::string packing_comments(const dem::Packing &packing, const Metadata &metadata);
+
   /** The same format as text; fields are separated by `separator`. Metadata as for write_packing(). */
   std::string packing_as_text(const dem::Packing &packing, const Metadata &metadata, char separator);
 } // namespace postprocess

@@ -11,12 +11,14 @@ os.environ.setdefault("GOMP_SPINCOUNT", "1000")
 
 from . import _breccia  # noqa: E402
 from ._breccia import InputError, NumericalError, OutputError  # noqa: E402
+from .cells import Cell  # noqa: E402
 from .drivers import homogenise, link_test, point_test  # noqa: E402
+from .steps import CoupledRun, Solid  # noqa: E402
 from .values import as_text, as_value  # noqa: E402
 
 __version__ = _breccia.version
-__all__ = ["Scene", "Particles", "Result", "Figure", "InputError", "NumericalError", "OutputError", "link_test", "point_test",
-           "homogenise"]
+__all__ = ["Scene", "Particles", "Cell", "Solid", "CoupledRun", "Result", "Figure", "InputError", "NumericalError", "OutputError", "link_test",
+           "point_test", "homogenise"]
 
 
 class Figure(NamedTuple):
@@ -40,11 +42,13 @@ class Scene(MutableMapping):
         self.update(changes or {})
         self._entries()  # refuses what cannot be read
 
-    def _words(self):
+    @property
+    def words(self):
+        """The changes as option -s of the program takes them, a list of "Section/Entry=value"."""
         return [f"{path}={value}" for path, value in self._changes.items()]
 
     def _entries(self):
-        return {path: rest for path, *rest in _breccia.entries(self.file, self._words())}
+        return {path: rest for path, *rest in _breccia.entries(self.file, self.words)}
 
     def __getitem__(self, path):
         value, unit, kind, _ = self._entries()[path]
@@ -73,7 +77,7 @@ class Scene(MutableMapping):
 
     def check(self):
         """What a run would take, in the words of `breccia check`. Raises InputError."""
-        return _breccia.forecast(self.file, self._words())
+        return _breccia.forecast(self.file, self.words)
 
     def run(self, folder=None, on_sample=None, resume=False):
         """Run to the end.
@@ -83,11 +87,21 @@ class Scene(MutableMapping):
         KeyboardInterrupt. Raises InputError, NumericalError, OutputError.
         """
         folder = "" if folder is None else os.fspath(folder)
-        return Result(_breccia.run(self.file, self._words(), folder, resume, on_sample))
+        return Result(_breccia.run(self.file, self.words, folder, resume, on_sample))
 
     def particles(self):
         """The particles of a scene of kind "particles", to be moved step by step: Particles. Raises InputError."""
-        return Particles(_breccia.MovingParticles(self.file, self._words()))
+        return Particles(_breccia.MovingParticles(self.file, self.words))
+
+    def solid(self):
+        """The solid of a scene of kind "continuum" in explicit motion, to be moved step by step: Solid. Raises InputError."""
+        return Solid(_breccia.MovingSolid(self.file, self.words))
+
+    def start(self, folder=None, resume=False):
+        """Begin a run of a scene of kind "coupled", which is then advanced step by step: CoupledRun. folder, resume: as of run().
+        Raises InputError, OutputError."""
+        folder = "" if folder is None else os.fspath(folder)
+        return CoupledRun(_breccia.CoupledSteps(self.file, self.words, folder, resume), Result)
 
 
 class Particles:
@@ -159,6 +173,10 @@ class Particles:
     def reaction(self, group):
         """Force that holds a group, at the start of the last step [N]."""
         return self._moving.reaction(group)
+
+    def links(self):
+        """The links as they are now, as of Result.links(): copies."""
+        return SimpleNamespace(**self._moving.links())
 
     def save(self):
         """Keep the present state in memory, histories included; one at a time. Held groups are to be made before."""
@@ -241,4 +259,12 @@ class Result:
         if sample != -1:
             raise IndexError(f"sample {sample}: a result keeps the particles of the end alone, -1")
         columns = self._found.particles()
+        return None if columns is None else SimpleNamespace(**columns)
+
+    def links(self):
+        """Links at the end: arrays ends (n, 2), numbers of the packing; kind: 0 a bond, 1 a contact, 2 a bond that is gone; normal_force,
+        shear_force [N], normal_stress, shear_stress [Pa], normal_strain, damage [-], dissipated [J] (n), tension positive. None where there
+        are no particles.
+        """
+        columns = self._found.links()
         return None if columns is None else SimpleNamespace(**columns)

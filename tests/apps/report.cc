@@ -1,4 +1,5 @@
 // Pages of runs: what they show, and runs from them.
+#include "apps/results/series_panels.h"
 #include "tests/apps/program.h"
 #include "tests/apps/scenes.h"
 #include "tests/apps/scratch_folder.h"
@@ -48,6 +49,36 @@ TEST_CASE("The page of a run, sent elsewhere without any other file, gives the s
   const Outcome changed = run(elsewhere.path(), {"check", "sent.html"});
   CHECK(changed.status == 2);
   CHECK_THAT(changed.err, Contains("Specimen/File") && Contains("1_packing.txt") && Contains("is not the file"));
+}
+
+TEST_CASE("The energies of a series are drawn together, their balance apart, and nothing of them twice", "[apps]")
+{
+  postprocess::CsvTable series;
+  series.names   = {"time",         "stress",          "energy_kinetic",      "energy_elastic",
+                    "energy_start", "energy_residual", "energy_balance_error"};
+  series.units   = {"s", "Pa", "J", "J", "J", "J", "-"};
+  series.columns = {{0, 1, 2}, {0, 3, 2}, {0, 5, 1}, {0, 1, 4}, {7, 7, 7}, {0, 1e-9, 2e-9}, {0, 1e-10, 2e-10}};
+  series.words.resize(series.names.size());
+  const auto energies = apps::panels_of_energies(series), columns = apps::panels_of_columns(series);
+  REQUIRE(energies.size() == 2);
+  REQUIRE(energies[0].series.size() == 2); // what does not change is not drawn
+  CHECK(energies[0].series[0].y == std::vector<double>{0, 5, 1});
+  CHECK(energies[0].series[1].y == std::vector<double>{0, 1, 4});
+  REQUIRE(energies[1].series.size() == 1);
+  CHECK(energies[1].series[0].y[2] / energies[1].series[0].y[1] == 2);
+  REQUIRE(columns.size() == 1);
+  CHECK_THAT(columns[0].y_label, Contains("tress"));
+  CHECK(apps::panels_of_series(series).size() == 2);
+  series.columns[2] = series.columns[3] = series.columns[5] = {1, 1, 1};
+  CHECK(apps::panels_of_energies(series).empty());
+
+  const ScratchFolder folder;
+  leave_run(folder);
+  const std::string page   = content_of(folder / "first/report.html");
+  const std::size_t energy = page.find(">Energy<"), drawn = page.find("Where the energy has come from"),
+                    cost = page.find(">Cost<");
+  CHECK(energy < drawn);
+  CHECK(drawn < cost);
 }
 
 TEST_CASE("report writes of a folder the page that the run itself would have written", "[apps]")

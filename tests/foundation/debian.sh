@@ -22,6 +22,13 @@ if [ -e "$scratch/root/usr/include" ]; then
   echo "headers are for programs of one's own, not in this package"
   exit 1
 fi
+share=$scratch/root/usr/share
+gzip -dc "$share/man/man1/breccia.1.gz" > "$scratch/page.1"
+grep -q '^\.TH' "$scratch/page.1"
+grep -q 'link.*test' "$scratch/page.1" # its hyphens are escaped
+bash -n "$share/bash-completion/completions/breccia"
+grep -q 'link-test' "$share/bash-completion/completions/breccia"
+head -n 1 "$share/zsh/vendor-completions/_breccia" | grep -q '^#compdef breccia'
 "$scratch/root/usr/bin/breccia" --version
 "$scratch/root/usr/bin/breccia" link-test --help > "$scratch/help.txt"
 grep -q -- --law "$scratch/help.txt"

@@ -129,6 +129,65 @@ TEST_CASE("files of LAMMPS that are no packing are refused with their line", "[p
   CHECK_FALSE(std::filesystem::exists(folder / "d.dump"));
 }
 
+TEST_CASE("types of LAMMPS that no atom is of are kept, there and back", "[postprocess]")
+{
+  const ScratchFolder folder;
+  const std::string   data = with(data_of_write_data, "2 atom types", "4 atom types");
+  const dem::Packing  read = read_packing(folder.file("x.data", with(data, "3 2 1.5", "3 3 1.5")));
+  CHECK(read.material == std::vector<std::int32_t>{0, 0, 2});
+  CHECK(read.material_names == std::vector<std::string>{"1", "2", "3", "4"});
+  write_packing(read, folder / "y.data");
+  CHECK_THAT(content_of(folder / "y.data"), Contains("\n4 atom types\n"));
+  CHECK(read_packing(folder / "y.data").material_names == read.material_names);
+  write_packing(read, folder / "y.dump"); // says nothing of types beyond the last that is used
+  CHECK(read_packing(folder / "y.dump").material == read.material);
+  CHECK(read_packing(folder / "y.dump").material_names == std::vector<std::string>{"1", "2", "3"});
+  CHECK_THROWS_WITH(read_packing(folder.file("z.data", with(data, "3 2 1.5", "3 5 1.5"))),
+                    Contains("line 12: type 5: expected a whole number from 1 to 4"));
+  CHECK_THROWS_WITH(read_packing(folder.file("z.data", with(data, "3 2 1.5", "3 1.5 1.5"))), Contains("type 1.5"));
+}
+
+TEST_CASE("a packing read back from a file for YADE has the same bits", "[postprocess]")
+{
+  const ScratchFolder folder;
+  const bool          periodic = GENERATE(false, true), of_materials = GENERATE(false, true);
+  CAPTURE(periodic, of_materials);
+  dem::Packing packing = uneven_spheres(periodic, of_materials);
+  if (of_materials)
+    packing.material_names = {"mortar", "unused", "3", "steel"}; // the last has no particle
+  for (std::int32_t &number : packing.material)
+    number = number == 1 ? 2 : number;
+  write_packing(packing, folder / "p.yade", {{"seed", "11"}});
+  const std::string text = content_of(folder / "p.yade");
+  CHECK(text.rfind(of_materials ? "#format x_y_z_r_matId\n" : "#format x_y_z_r\n", 0) == 0);
+  CHECK_THAT(text, !Contains("\n\n")); // its reader takes no blank line
+  const dem::Packing read = read_packing(folder / "p.yade");
+  CHECK(read.centre == packing.centre);
+  CHECK(read.radius == packing.radius);
+  CHECK(read.material == packing.material);
+  CHECK(read.material_names == packing.material_names);
+  CHECK(read_packing_metadata(folder / "p.yade").at("seed") == "11");
+  REQUIRE(read.periodic_cell.has_value() == periodic);
+  if (periodic)
+    CHECK(*read.periodic_cell == *packing.periodic_cell);
+  write_packing(read, folder / "again.yade", {{"seed", "11"}});
+  CHECK(content_of(folder / "again.yade") == text);
+}
+
+TEST_CASE("what has no place in a file for YADE is refused, and so is a number that names no material", "[postprocess]")
+{
+  const ScratchFolder folder;
+  dem::Packing        clumped = uneven_spheres(false, false);
+  clumped.bodies.resize(1);
+  CHECK_THROWS_WITH(write_packing(clumped, folder / "p.yade"), Contains("rigid bodies"));
+  dem::Packing discs       = uneven_spheres(true, false);
+  discs.periodic_cell->z() = INFINITY;
+  CHECK_THROWS_WITH(write_packing(discs, folder / "p.yade"), Contains("periodic along some edges"));
+  CHECK_FALSE(std::filesystem::exists(folder / "p.yade"));
+  const char *const text = "#format x_y_z_r_matId\n# materials a b\n0 0 0 1 0\n3 0 0 1 2\n";
+  CHECK_THROWS_WITH(read_packing(folder.file("x.yade", text)), Contains("line 4: material 2") && Contains("names 2"));
+}
+
 TEST_CASE("tables of YADE with the number of a material, and of PFC with position columns, are read", "[postprocess]")
 {
   const ScratchFolder folder;

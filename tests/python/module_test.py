@@ -130,6 +130,17 @@ class RunTest(unittest.TestCase):
         self.assertGreater(particles.damage.max(), 0.5)
         with self.assertRaises(IndexError):
             result.particles(0)
+        links = result.links()
+        last = result.series.iloc[-1]
+        self.assertEqual((links.kind == 2).sum() + (links.kind == 0).sum(), result.series["links"].max())
+        self.assertEqual((links.kind == 1).sum(), last["contacts"])
+        self.assertLess(links.ends.max(), n)
+        self.assertTrue((links.ends[:, 0] != links.ends[:, 1]).all())
+        bonds = links.kind == 0
+        # A particle's damage is the mean of those of its links; and what bonds have lost, the account has.
+        self.assertGreater(links.damage[bonds].max(), 0.9)
+        self.assertAlmostEqual(links.dissipated.sum() / last["energy_damage"], 1, delta=1e-9)
+        self.assertIsNone(breccia.Scene(SOLID).run().links())
 
     def test_callback_sees_every_row_and_stops_the_run(self):
         rows = []
@@ -201,6 +212,7 @@ class ParticlesTest(unittest.TestCase):
     def test_steps_give_the_bits_of_a_run_and_views_follow(self):
         rows = breccia.Scene(BALL).run().series
         particles, ball = self.ball()
+        self.assertEqual(len(particles.links().kind), 0)
         height = particles.position
         self.assertFalse(height.flags.owndata)
         for row in range(1, 60, 7):

@@ -20,7 +20,7 @@ namespace apps
         , bodies(moved, solver, participant, what.motion.rigid)
         , contacts(what.contacts, bodies.contacts())
       {
-        this->count_steps(bodies.step());
+        steps_of(motion, bodies.step()); // refuses too many
       }
 
       bool   finished() const override { return samples >= model.output.samples; }

@@ -13,7 +13,7 @@ namespace apps
     public:
       ExplicitAnalysis(fem::Solid<dim> &moved, const ContinuumModel &model)
         : MotionAnalysis<dim>(moved, model)
-        , steps_in_all(this->count_steps(solver.step()))
+        , steps_in_all(steps_of(model.motion, solver.step()))
         , length(model.motion.end_time / static_cast<double>(steps_in_all))
         , steps_per_sample(std::max<std::int64_t>(1, steps_in_all / model.output.samples))
         , follows(model.solid.large_displacement)
@@ -53,8 +53,7 @@ namespace apps
         constexpr double rounding = 1e-12;
         const double     sample   = end_time * (static_cast<double>(samples + 1) / static_cast<double>(samples_in_all));
         const bool       there    = this->take_steps([&] {
-          const double rest = sample - solver.time();
-          solver.advance(rest / std::max(1.0, std::ceil(rest / solver.step() * (1 - rounding))));
+          solver.advance(step_towards(sample - solver.time(), solver.step()));
           return solver.time() >= sample * (1 - rounding);
         });
         samples += there ? 1 : 0;

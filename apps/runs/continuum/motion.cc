@@ -1,6 +1,12 @@
 #include "apps/runs/continuum/motion.h"
 
 #include "apps/runs/continuum/analysis.h"
+#include "base/errors.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
 
 namespace apps
 {
@@ -80,6 +86,23 @@ namespace apps
         }
     }
   } // namespace
+
+  std::int64_t steps_of(const MotionSection &motion, const double length)
+  {
+    constexpr double most = 1e12;
+    const double     n    = std::ceil(motion.end_time / length * (1 - 1e-12));
+    if (!(n < most))
+      throw base::InputError(fmt::format("Motion/End time = {}: would take {:.1e} steps of {:.1e} s. Check density, "
+                                         "moduli and sizes: all in SI units.",
+                                         motion.end_time, n, length));
+    return std::max<std::int64_t>(1, static_cast<std::int64_t>(n));
+  }
+
+  double step_towards(const double rest, const double longest)
+  {
+    constexpr double rounding = 1e-12;
+    return rest / std::max(1.0, std::ceil(rest / longest * (1 - rounding)));
+  }
 
   template <int dim>
   std::unique_ptr<fem::ExplicitSolver<dim>>

@@ -4,6 +4,8 @@
 #include "base/state.h"
 #include "fem/explicit/explicit_solver.h"
 
+#include <cstdint>
+
 namespace apps
 {
   /**
@@ -13,6 +15,12 @@ namespace apps
   template <int dim>
   std::unique_ptr<fem::ExplicitSolver<dim>>
   make_motion(fem::Solid<dim> &solid, const ContinuumModel &model, const std::array<double, 3> &gravity = {0, 0, 0});
+
+  /** How many steps of this length [s] a motion takes. @throws base::InputError for more than ever end */
+  std::int64_t steps_of(const MotionSection &motion, double length);
+
+  /** The first of equal steps that end together after a rest, none longer than the longest [s]. */
+  double step_towards(double rest, double longest);
 
   /** All that a motion needs to go on to the same bits, histories of the points included. Columns hold this rank's part. */
   template <int dim>

@@ -4,12 +4,10 @@
 #include "apps/process/mpi_session.h"
 #include "apps/runs/continuum/analysis.h"
 #include "apps/runs/continuum/motion.h"
-#include "base/errors.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace apps
 {
@@ -99,18 +97,6 @@ namespace apps
       while (!enough && !(pauses && watch.seconds() > longest_stretch));
       seconds += watch.seconds();
       return enough;
-    }
-
-    /** How many steps of this length the motion takes. @throws base::InputError for more than ever end */
-    std::int64_t count_steps(const double length) const
-    {
-      constexpr double most = 1e12;
-      const double     n    = std::ceil(motion.end_time / length * (1 - 1e-12));
-      if (!(n < most))
-        throw base::InputError(fmt::format("Motion/End time = {}: would take {:.1e} steps of {:.1e} s. Check density, "
-                                           "moduli and sizes: all in SI units.",
-                                           motion.end_time, n, length));
-      return std::max<std::int64_t>(1, static_cast<std::int64_t>(n));
     }
 
     fem::Solid<dim>                          &solid;

@@ -49,16 +49,16 @@ namespace apps
         , motion(make_motion(*solid, what.continuum, what.particles.gravity.acceleration))
         , participant(*solid, *motion)
         , both(
-            body.specimen(),
-            *solid,
-            *motion,
-            participant,
-            [this] { body.drive_next_step(); },
-            what.continuum.motion.rigid)
+            body.specimen(), *solid, *motion, participant, [this] { drive(); }, what.continuum.motion.rigid)
+        , own_nodes(nodes_of(*solid, *motion, participant))
         , touching(what.continuum.contacts, both.contacts())
         , probes(*solid, what.continuum)
         , energies(what, both, touching)
       {
+        both.set_drive_of_solid([this] {
+          for (const auto &[node, force] : outside.nodes)
+            participant.add_force(node, force);
+        });
         both.set_largest_ratio(static_cast<int>(what.largest_ratio));
         both.set_sub_cycling_loss(what.sub_cycling_loss);
         if (what.checked_windows)
@@ -91,11 +91,12 @@ namespace apps
         return found;
       }
 
-      void advance_to(const double end) override
+      void advance_to(const double end, const std::int64_t most) override
       {
+        std::int64_t taken = 0;
         do
           step(end - time());
-        while (time() < end * (1 - 1e-12) && !interrupted());
+        while (++taken < most && time() < end * (1 - 1e-12) && !interrupted());
       }
 
       void advance(const std::int64_t count) override
@@ -216,9 +217,18 @@ namespace apps
         energies.look({time(), motion->energy(), body.specimen().energy(), continuum.dissipated});
       }
 
-      ParticlesBody &particles() override { return body; }
-      double         time() const override { return motion->time(); }
-      CoupledSteps   steps() const override
+      void push(const OutsideForces &forces) override
+      {
+        outside = forces;
+        body.specimen().partners().clear_forces(); // the scene's are entered anew in every step
+      }
+
+      ParticlesBody       &particles() override { return body; }
+      const ParticlesBody &particles() const override { return body; }
+      SolidNodes          &nodes() override { return *own_nodes; }
+      const SolidNodes    &nodes() const override { return *own_nodes; }
+      double               time() const override { return motion->time(); }
+      CoupledSteps         steps() const override
       {
         const coupling::WindowSteps next = both.next_window(model.particles.end_time);
         return {next.window, both.solid_step(), both.particle_step(), next.particles, next.solid};
@@ -420,6 +430,16 @@ namespace apps
         return false;
       }
 
+      /** What the particles' next step does, by the scene and from outside. */
+      void drive()
+      {
+        if (!outside.particles.empty())
+          body.specimen().partners().clear_forces();
+        body.drive_next_step();
+        for (const auto &[particle, push] : outside.particles)
+          body.specimen().partners().add_force(particle, push.force, push.couple);
+      }
+
       void step(const double rest)
       {
         const double at = body.specimen().time(); // of the forces that the step takes
@@ -473,6 +493,8 @@ namespace apps
       std::unique_ptr<fem::ExplicitSolver<dim>> motion;
       coupling::SolidParticipant<dim>           participant;
       coupling::ConcurrentMotion<dim>           both;
+      std::unique_ptr<SolidNodes>               own_nodes;
+      OutsideForces                             outside;
       ObservedContacts<dim>                     touching; ///< between bodies of the solid
       ContinuumProbes<dim>                      probes;
       ContactFigures                            figures;

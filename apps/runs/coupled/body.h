@@ -2,11 +2,15 @@
 
 #include "apps/results/run_state.h"
 #include "apps/runs/continuum/probe_column.h"
+#include "apps/runs/continuum/solid_nodes.h"
 #include "apps/runs/coupled/model.h"
 #include "apps/runs/particles/body.h"
 #include "postprocess/files/series.h"
 
+#include <cstdint>
 #include <filesystem>
+#include <limits>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -21,6 +25,17 @@ namespace apps
     int    solid_steps    = 1;                   ///< likewise
   };
 
+  /** On particles, by their number in the packing, and on nodes of the solid. */
+  struct OutsideForces
+  {
+    struct Push
+    {
+      Eigen::Vector3d force = Eigen::Vector3d::Zero(), couple = Eigen::Vector3d::Zero(); ///< [N, N m]
+    };
+    std::map<std::size_t, Push>            particles;
+    std::map<std::size_t, Eigen::Vector3d> nodes; ///< [N]
+  };
+
   /** A solid and particles that touch, as a run drives and records them; whatever the dimension. */
   class CoupledBody
   {
@@ -30,8 +45,8 @@ namespace apps
     /** Before the first step. @throws base::InputError for particles that lie in the solid, as well */
     virtual StaticStart start() = 0;
 
-    /** At least one window, up to this time; fewer when interrupted. @throws StoppedShort, base::NumericalError */
-    virtual void advance_to(double time) = 0;
+    /** At least one window, up to this time and so many at most; fewer when interrupted. @throws StoppedShort, base::NumericalError */
+    virtual void advance_to(double time, std::int64_t most = std::numeric_limits<std::int64_t>::max()) = 0;
     /** So many windows. */
     virtual void advance(std::int64_t windows) = 0;
 
@@ -42,9 +57,15 @@ namespace apps
     /** Columns that the summary tells of, with their units. */
     virtual std::vector<postprocess::SeriesColumn> told() const = 0;
 
-    virtual ParticlesBody &particles()   = 0;
-    virtual double         time() const  = 0; ///< [s]
-    virtual CoupledSteps   steps() const = 0;
+    /** Forces from outside, beside the scene's, until the next call. No checkpoint holds them. */
+    virtual void push(const OutsideForces &forces) = 0;
+
+    virtual ParticlesBody       &particles()       = 0;
+    virtual const ParticlesBody &particles() const = 0;
+    virtual SolidNodes          &nodes()           = 0; ///< of the solid
+    virtual const SolidNodes    &nodes() const     = 0;
+    virtual double               time() const      = 0; ///< [s]
+    virtual CoupledSteps         steps() const     = 0;
     /** Of the solid, as far as waves come in a time [s] from a place on its surface, at most all of it [kg]. */
     virtual double                solid_mass_within(double time) const = 0;
     virtual std::size_t           elements() const                     = 0;

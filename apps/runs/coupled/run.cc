@@ -107,7 +107,7 @@ namespace apps
   void CoupledRun::advance(const Record &record)
   {
     const base::Stopwatch watch;
-    body->advance_to(sampling.next_time());
+    body->advance_to(sampling.next_time(), most_windows);
     stepping_seconds += watch.seconds();
     if (!sampling.take(body->time())) // interrupted on the way
       return;

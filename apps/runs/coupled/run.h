@@ -30,6 +30,12 @@ namespace apps
     /** Throws as Scene::run(). */
     RunResult execute();
 
+    /** In its place, for a program that goes through a life-cycle state by state: no more windows from state to state than these. */
+    void set_most_windows(const std::int64_t most) { most_windows = most; }
+    /** Of a run that has begun. */
+    CoupledBody       &moving() { return *body; }
+    const CoupledBody &moving() const { return *body; }
+
   private:
     void                                   prepare() override;
     void                                   reopen(const std::filesystem::path &folder) override;
@@ -65,6 +71,7 @@ namespace apps
     std::optional<postprocess::PvdCollection> solids;
     double                                    stepping_seconds = 0; ///< wall clock, since the run began or was resumed
     std::int64_t                              windows_before   = 0; ///< when it did
+    std::int64_t                              most_windows     = std::numeric_limits<std::int64_t>::max();
   };
 
   /** Do the work of a checked model. Throws as Scene::run(). */

@@ -130,7 +130,7 @@ namespace apps
     , results(asked.output_folder)
     , scratch(results.empty() ? std::make_unique<postprocess::ScratchFolder>("study") : nullptr)
     , request(placed(asked, scratch.get()))
-    , folder(asked)
+    , folder(request)
     , running(folder.running())
     , options(model.transfer.chosen())
     , particles(model.particles, running, asked.deciding_text)
@@ -177,7 +177,14 @@ namespace apps
     return left_out_of_balance(*event.material.materials().bonds(event.physics), radius);
   }
 
-  RunResult SequentialRun::interrupted() const { return ended(folder.interrupted()); }
+  RunResult SequentialRun::interrupted() const
+  {
+    RunResult result = folder.interrupted();
+    result.folder    = results;
+    if (scratch) // gone with this run
+      result.go_on.clear();
+    return ended(std::move(result));
+  }
 
   RunResult SequentialRun::finish(nlohmann::json json, std::string words)
   {
