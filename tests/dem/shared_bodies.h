@@ -1,0 +1,296 @@
+#pragma once
+
+#include "base/state.h"
+#include "clusters.h"
+#include "dem/facets/shapes.h"
+#include "dem/facets/surface.h"
+#include "dem/laboratory/lab_test.h"
+#include "dem/laws/contact_bond.h"
+#include "dem/laws/flat_joint.h"
+#include "dem/laws/linear_contact.h"
+#include "dem/laws/parallel_bond.h"
+#include "dem/loading/periodic_cell.h"
+#include "dem/loading/uniaxial.h"
+#include "dem/packing/lattice.h"
+#include "dem/specimen/specimen.h"
+#include "laboratory_fixture.h"
+
+#include <functional>
+#include <memory>
+
+/** Specimens of all sorts on their way through a test, for tests of what must not change them. */
+namespace shared_bodies
+{
+  using Eigen::Vector3d;
+
+  /** A specimen in a test of some kind. */
+  struct Body
+  {
+    virtual ~Body()                              = default;
+    virtual dem::Specimen &specimen()            = 0;
+    virtual void           advance(std::int64_t) = 0;
+    virtual void           visit(base::StateVisitor &visitor) { specimen().visit_state(visitor); }
+  };
+  using Make = std::function<std::unique_ptr<Body>()>;
+
+  /** Left to itself. */
+  struct Free : Body
+  {
+    explicit Free(dem::Specimen &&given)
+      : own(std::move(given))
+    {
+    }
+    dem::Specimen &specimen() override { return own; }
+    void           advance(const std::int64_t steps) override { own.advance(steps); }
+    dem::Specimen  own;
+  };
+
+  inline dem::Packing bar(const std::size_t particles) { return cluster::random_cluster(5, particles, 0.7e-3, 1e-3); }
+
+  struct Pulled : Body
+  {
+    Pulled()
+      : own(
+          cluster::cubic_lattice(8, 8, 16, 1e-3),
+          [] {
+            auto p             = cluster::bonded(1.5);
+            p.physics.contacts = true;
+            p.damping          = 0.1;
+            return p;
+          }(),
+          cluster::concrete())
+      , test(own, [] {
+        dem::UniaxialParameters p;
+        p.axis            = 2;
+        p.strain_rate     = 60;
+        p.grips.thickness = 2e-3;
+        p.stop_strain     = 1;
+        p.lateral_blocked = false;
+        return p;
+      }())
+    {
+    }
+    dem::Specimen &specimen() override { return own; }
+    void           advance(const std::int64_t steps) override { test.advance(steps); }
+    void           visit(base::StateVisitor &visitor) override
+    {
+      own.visit_state(visitor);
+      test.visit_state(visitor);
+    }
+    dem::Specimen     own;
+    dem::UniaxialTest test;
+  };
+
+  struct CellUnderStress : Body
+  {
+    static dem::Packing packing()
+    {
+      dem::Packing       p = dem::make_lattice(dem::Lattice::face_centred_cubic, 1e-3, {6, 6, 6});
+      dem::UniformRandom random(2);
+      for (double &radius : p.radius)
+        radius *= 1 - 0.1 * random();
+      return p;
+    }
+    static dem::CellTestParameters path(const double dt)
+    {
+      dem::CellTestParameters p;
+      dem::CellLeg            press, pull;
+      press.duration     = 100 * dt;
+      press.stress_given = {{true, true, true, true, true, true}};
+      press.target << -1e6, -1e6, -1e6, 0, 0, 0;
+      pull.duration     = 2000 * dt;
+      pull.stress_given = {{true, true, false, true, true, true}};
+      pull.target << -1e6, -1e6, 2e-2, 0, 0, 0;
+      p.path = {press, pull};
+      return p;
+    }
+    CellUnderStress()
+      : own(
+          packing(),
+          [] {
+            auto p             = cluster::bonded(1.2);
+            p.physics.periodic = true;
+            return p;
+          }(),
+          cluster::concrete())
+      , test(own, path(own.time_step()))
+    {
+    }
+    dem::Specimen &specimen() override { return own; }
+    void           advance(const std::int64_t steps) override { test.advance(steps); }
+    void           visit(base::StateVisitor &visitor) override
+    {
+      own.visit_state(visitor);
+      test.visit_state(visitor);
+    }
+    dem::Specimen own;
+    dem::CellTest test;
+  };
+
+  /** Loose grains fall into a box and on each other, with friction. */
+  inline std::unique_ptr<Body> falling_grains()
+  {
+    dem::LinearContactParameters grains;
+    grains.effective_modulus    = 1e8;
+    grains.stiffness_ratio      = 1.5;
+    grains.friction_coefficient = 0.5;
+    dem::SpecimenParameters parameters;
+    parameters.density           = 2600;
+    parameters.interaction_ratio = 1;
+    parameters.damping           = 0.2;
+    parameters.gravity           = {0, 0, -9.81};
+    dem::Packing       packing   = cluster::cubic_lattice(10, 10, 10, 1e-3);
+    dem::UniformRandom random(3);
+    for (Vector3d &x : packing.centre)
+      x = 1.005 * x + Vector3d(1.1e-3, 1.1e-3, 1.1e-3) + 2e-5 * cluster::random_vector(random);
+    dem::Specimen          specimen(packing, parameters, grains);
+    dem::SurfaceParameters box;
+    box.name    = "box";
+    box.mesh    = dem::box(Vector3d(0, 0, 0), Vector3d(0.0215, 0.0215, 1), {true, true, true, true, true, false});
+    box.contact = grains;
+    specimen.surfaces().add(box);
+    for (std::size_t i = 0; i < packing.size(); ++i)
+      specimen.set_velocity(i, Vector3d(2, 0, -5), Vector3d::Zero());
+    return std::make_unique<Free>(std::move(specimen));
+  }
+
+  /** Dumb-bells of two that fall into a box, each thrown and turned in its own way. */
+  inline std::unique_ptr<Body> tumbling_clumps()
+  {
+    dem::LinearContactParameters grains;
+    grains.effective_modulus    = 1e8;
+    grains.stiffness_ratio      = 1.5;
+    grains.friction_coefficient = 0.5;
+    dem::SpecimenParameters parameters;
+    parameters.density           = 2600;
+    parameters.interaction_ratio = 1;
+    parameters.damping           = 0.2;
+    parameters.gravity           = {0, 0, -9.81};
+    dem::Packing       packing   = cluster::cubic_lattice(8, 8, 12, 1e-3);
+    dem::UniformRandom random(4);
+    for (Vector3d &x : packing.centre)
+      x = 1.05 * x + Vector3d(1.5e-3, 1.5e-3, 1.5e-3);
+    dem::Specimen specimen(packing, parameters, grains);
+    const double  mass = 2600 * 4 / 3 * 3.141592653589793 * 1e-9;
+    for (std::size_t i = 0; i + 64 < packing.size(); i += 128)
+      for (std::size_t k = i; k < i + 64; ++k)
+        {
+          dem::RigidClump clump;
+          clump.particles = {k, k + 64};
+          clump.mass      = 2 * mass;
+          clump.centre    = 0.5 * (packing.centre[k] + packing.centre[k + 64]);
+          clump.inertia   = mass * Vector3d(3e-6, 3e-6, 0.8e-6).asDiagonal();
+          specimen.clumps().add(clump);
+        }
+    dem::SurfaceParameters box;
+    box.name    = "box";
+    box.mesh    = dem::box(Vector3d(0, 0, 0), Vector3d(0.019, 0.019, 1), {true, true, true, true, true, false});
+    box.contact = grains;
+    specimen.surfaces().add(box);
+    std::vector<dem::AskedVelocity> asked;
+    for (std::size_t i = 0; i < packing.size(); ++i)
+      {
+        asked.emplace_back();
+        asked.back().particle = i;
+        asked.back().given    = {{true, true, true, true, true, true}};
+        asked.back().velocity = Vector3d(0, 0, -4) + 2 * cluster::random_vector(random);
+      }
+    specimen.set_velocities(asked);
+    return std::make_unique<Free>(std::move(specimen));
+  }
+
+  inline dem::Specimen
+  thrown_apart(const dem::LinkMaterials &materials, const int dimension = 3, const double emission = 0)
+  {
+    dem::SpecimenParameters p = cluster::bonded(1.2);
+    p.step_factor             = 0.1;
+    p.physics.dimension       = dimension;
+    p.thickness               = dimension == 2 ? 1e-3 : 0;
+    p.emission_reach          = emission;
+    dem::Packing body = dimension == 3 ? bar(700) : dem::make_lattice(dem::Lattice::hexagonal, 1e-3, {30, 20, 1});
+    body.periodic_cell.reset();
+    if (materials.several())
+      for (const auto &x : body.centre)
+        body.material.push_back(x.x() > 0 ? 1 : 0);
+    dem::Specimen specimen(body, p, materials);
+    for (std::size_t i = 0; i < body.size(); ++i)
+      specimen.set_velocity(i, 200 * body.centre[i] + 800 * Vector3d(0, body.centre[i].x(), 0),
+                            Vector3d(0, 0, 10.0 * static_cast<double>(i % 3)));
+    return specimen;
+  }
+
+  template <typename Parameters>
+  dem::LinkMaterials twice(const Parameters &p)
+  {
+    return dem::Materials<Parameters>({{"mortar", p, 0}, {"grains", p, 0}});
+  }
+
+  inline dem::ParallelBondParameters cement()
+  {
+    dem::ParallelBondParameters p;
+    p.effective_modulus    = 10e9;
+    p.stiffness_ratio      = 2.5;
+    p.friction_coefficient = 0.3;
+    p.tensile_strength     = 0.3e6;
+    p.cohesion             = 0.9e6;
+    return p;
+  }
+
+  inline dem::ContactBondParameters spots()
+  {
+    dem::ContactBondParameters p;
+    p.effective_modulus    = 5e9;
+    p.stiffness_ratio      = 1.5;
+    p.friction_coefficient = 0.2;
+    p.tensile_strength     = 0.1e6;
+    p.cohesion             = 0.4e6;
+    return p;
+  }
+
+  inline dem::FlatJointParameters joints()
+  {
+    dem::FlatJointParameters p;
+    p.effective_modulus    = 8e9;
+    p.stiffness_ratio      = 2;
+    p.friction_coefficient = 0.2;
+    p.tensile_strength     = 0.2e6;
+    p.cohesion             = 0.6e6;
+    p.friction_angle       = 20;
+    return p;
+  }
+
+  /** A block of spheres between platens under servo walls. */
+  struct Confined : Body
+  {
+    static dem::LabParameters asked()
+    {
+      dem::LabParameters p = laboratory::between_platens(0.5);
+      p.test               = laboratory::Test::confined;
+      p.press.axis         = 2;
+      p.pressure           = 1e6;
+      p.largest_speed      = 0.05;
+      p.confinement        = dem::LabParameters::Confinement::walls;
+      p.stop_strain        = 1;
+      return p;
+    }
+    static dem::SpecimenParameters spheres()
+    {
+      dem::SpecimenParameters p = laboratory::discs();
+      p.physics.dimension       = 3;
+      p.thickness               = 0;
+      return p;
+    }
+    Confined()
+      : run(cluster::cubic_lattice(9, 9, 9, laboratory::R), spheres(), laboratory::weak(), asked())
+    {
+    }
+    dem::Specimen &specimen() override { return run.body; }
+    void           advance(const std::int64_t steps) override { run.advance(steps); }
+    void           visit(base::StateVisitor &visitor) override
+    {
+      run.body.visit_state(visitor);
+      run.test.visit_state(visitor);
+    }
+    laboratory::Run run;
+  };
+} // namespace shared_bodies
