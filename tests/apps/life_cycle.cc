@@ -214,6 +214,40 @@ TEST_CASE("An interrupted run saves where it is, and the rest of it gives the sa
   CHECK(content_of(folder / "out/series.csv") == content_of(folder / "whole/series.csv"));
 }
 
+TEST_CASE("A run that a program takes from state to state, and stops, leaves the files of one that goes by itself",
+          "[apps]")
+{
+  const ScratchFolder folder;
+  Counting            whole;
+  execute(request_in(folder / "whole"), whole);
+
+  apps::RunRequest request = request_in(folder / "out");
+  {
+    Counting        first;
+    apps::LifeCycle steps(request, ten_minutes, first);
+    steps.start();
+    for (int n = 0; n < 4; ++n)
+      CHECK(steps.go_on());
+    steps.interrupt();
+    const apps::RunResult part = steps.finish();
+    CHECK(part.exit_status() == apps::exit_interrupted);
+    CHECK(part.series.column("count") == std::vector<double>{0, 1, 2, 3, 4});
+    CHECK_THAT(part.go_on, Contains("--resume"));
+  }
+  request.resume = true;
+  Counting        rest;
+  apps::LifeCycle steps(request, ten_minutes, rest);
+  steps.start();
+  int taken = 0;
+  while (steps.go_on())
+    ++taken;
+  CHECK(taken == 6);
+  CHECK_FALSE(steps.go_on()); // and may be asked again
+  CHECK(steps.finish().exit_status() == apps::exit_success);
+  for (const char *file : {"series.csv", "sum.txt"})
+    CHECK(content_of(folder / "out" / file) == content_of(folder / "whole" / file));
+}
+
 TEST_CASE("Two runs do not write to one folder", "[apps]")
 {
   const ScratchFolder      folder;

@@ -5,6 +5,7 @@
 #include "apps/runs/continuum/solid.h"
 #include "base/entry_path.h"
 #include "base/errors.h"
+#include "coupling/participants/solid_participant.h"
 
 #include <fmt/format.h>
 

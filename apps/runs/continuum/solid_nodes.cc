@@ -1,5 +1,7 @@
 #include "apps/runs/continuum/solid_nodes.h"
 
+#include "coupling/participants/solid_participant.h"
+
 #include <algorithm>
 
 namespace apps

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "coupling/participants/solid_participant.h"
+#include "coupling/participants/participant.h"
 
 #include <Eigen/Core>
 
@@ -8,6 +8,20 @@
 #include <memory>
 #include <string>
 #include <vector>
+
+namespace fem
+{
+  template <int dim>
+  class Solid;
+  template <int dim>
+  class ExplicitSolver;
+} // namespace fem
+
+namespace coupling
+{
+  template <int dim>
+  class SolidParticipant;
+}
 
 namespace apps
 {
