@@ -106,7 +106,8 @@ namespace dem
       {
         const std::array<std::int32_t, 3> pair = {first, second,
                                                   particles.cell.repeats() ? particles.cell.enter(shift) : 0};
-        if (!particles.in_one_body(first, second) && !joined(bonds, pair) && !joined(contacts, pair))
+        if (!particles.in_one_body(first, second) && particles.cut_between(first, second) == nullptr &&
+            !joined(bonds, pair) && !joined(contacts, pair))
           watched.insert(watched.end(), pair.begin(), pair.end());
       }
     margin       = list_margin - tie * (largest_diameter + list_margin); // nearer than that, none is left out

@@ -25,7 +25,8 @@ namespace dem
         look(particles, contacts, l, deepest);
     if (bonds.logs_breaks)
       for (std::size_t l = 0; l < bonds.count; ++l)
-        if (bonds.is_alive(l) && bonds.is_broken(l))
+        if (bonds.is_alive(l) && bonds.is_broken(l) &&
+            particles.cut_between(bonds.first[l], bonds.second[l]) == nullptr)
           look(particles, bonds, l, deepest);
     return deepest;
   }

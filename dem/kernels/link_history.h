@@ -40,6 +40,8 @@ namespace dem::link_update
     using S = typename H::State;
     for (int i = 0; i < S::numbers; ++i)
       state.number[i] = load(history.column[i] + l);
+    if constexpr (S::shears == 0)
+      state.shear[0] = {}; // nobody's, but turned all the same
     for (int c = 0; c < P::across; ++c)
       {
         for (int i = 0; i < S::shears; ++i)

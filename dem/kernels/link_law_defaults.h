@@ -11,6 +11,7 @@ namespace dem
   {
     static constexpr bool waits          = false; ///< LinkLawTraits::waits
     static constexpr bool viscous        = false; ///< it has damping_ratio(constants)
+    static constexpr bool directed       = false; ///< its update looks at the direction of the link
     static constexpr bool stiffens       = false; ///< LinkLawTraits::stiffens
     static constexpr bool tells_elements = false; ///< it has broken_elements(constants, geometry, state)
     static constexpr bool has_rows       = false; ///< it has rows(), rows_of() and begin_rows()

@@ -30,6 +30,7 @@ namespace dem
    *
    *   name, bonds, moment, breaks_in_place, records                 constants
    *   waits, viscous, stiffens                                      constants, where they hold (LinkLawTraits)
+   *   directed                                                      constant: the motion tells the direction of the link
    *   damping_ratio(constants)                                      of a viscous law
    *   rate_dependent(constants)                                     of a viscous law, where its force does so without a dashpot
    *   resting_shear, acts(state, strain)                            place of a shear vector that stays zero while acts() is false,

@@ -151,6 +151,8 @@ namespace dem::link_update
         motion.shear_increment   = frame.increment;
         motion.bending_increment = {};
         motion.twist_increment   = Pack(0.0);
+        if constexpr (P::Law::directed)
+          motion.direction = frame.direction;
         if constexpr (State::axes >
                       0) // of particles that do not turn: by the smallest rotation, to second order in the step
           {

@@ -23,9 +23,9 @@ namespace dem
     T         area;              ///< A [m^2]
     T         per_second; ///< one over the length of the step, zero where no time passes [1/s]; of viscous laws only
     Vec<T, m> shear_increment; ///< tangential displacement of this step at the contact point, over the reference length
-    Vec<T, m> bending_increment; ///< relative rotation across the link of this step [rad]; moments only
-    Vec<T, m> direction;         ///< n, in space, of laws with axes only
-    T         twist_increment; ///< relative rotation about the link of this step, second less first [rad]; moments only
+    Vec<T, m> bending_increment;      ///< relative rotation across the link of this step [rad]; moments only
+    Vec<T, m == 3 ? 3 : 2> direction; ///< n, of laws with axes in space, and of directed ones
+    T twist_increment; ///< relative rotation about the link of this step, second less first [rad]; moments only
   };
 
   /**

@@ -34,7 +34,7 @@ namespace dem
   struct JointAxes<T, 1>
   {
     template <typename S>
-    BRECCIA_KERNEL JointAxes(const S &, const Vec<T, 1> &)
+    BRECCIA_KERNEL JointAxes(const S &, const Vec<T, 2> &)
     {
     }
     BRECCIA_KERNEL Vec<T, 2> slip(const Vec<T, 1> &v) const { return {{v[0], T(0.0)}}; }

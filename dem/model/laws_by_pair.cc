@@ -50,10 +50,11 @@ namespace dem
     , kind(std::move(kinds))
   {
     std::size_t columns = 0;
+    for (std::size_t pair = 0; pair < kind.size(); ++pair)
+      if (pair >= law_of(pair).pairs())
+        throw std::logic_error("a law among several lacks constants of a pair");
     for (const auto &each : law)
       {
-        if (each->pairs() != kind.size())
-          throw std::logic_error("a law among several lacks constants of a pair of materials");
         first_column.push_back(columns);
         columns += each->columns().size();
       }

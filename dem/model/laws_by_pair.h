@@ -17,7 +17,7 @@ namespace dem
   {
   public:
     /**
-     * @param laws each with constants of every pair of materials; what those of pairs of other laws are does not matter
+     * @param laws each with constants of every pair up to the last that obeys it; what those of pairs of other laws are does not matter
      * @param kinds of each pair, in the order of material_pair(), which of the laws it obeys; each law has a pair
      */
     LawsByPair(std::vector<std::shared_ptr<const LinkLaw>> laws, std::vector<std::int32_t> kinds);

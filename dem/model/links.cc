@@ -283,7 +283,7 @@ namespace dem
     links.shape_for(law, particles.cell.repeats(), !particles.material.empty());
     links.alive                  = pairs.size();
     const auto pair_of_materials = [&](const NeighbourPair &each) {
-      return links.several_pairs ? material_pair(particles.material[each.first], particles.material[each.second]) : 0;
+      return links.several_pairs ? particles.pair_of(each.first, each.second) : 0;
     };
     std::vector<std::size_t> links_of_law(links.laws(), 0);
     for (const NeighbourPair &each : pairs)
@@ -304,7 +304,8 @@ namespace dem
         fresh.distance      = branch_of(particles, links, l).norm();
         fresh.first_radius  = particles.radius_of(J);
         fresh.second_radius = particles.radius_of(K);
-        fresh.area          = shape.link_area(fresh.first_radius, fresh.second_radius);
+        const JointCut *cut = particles.cut_between(J, K);
+        fresh.area          = cut != nullptr ? cut->area : shape.link_area(fresh.first_radius, fresh.second_radius);
         fresh.thickness     = shape.dimension == 3 ? 0 : shape.thickness;
         const auto mass     = [&](const std::int32_t i, const double radius) {
           return shape.denser(particles, static_cast<std::size_t>(i)) * shape.mass(radius);

@@ -3,7 +3,9 @@
 #include "base/errors.h"
 #include "dem/model/laws_by_pair.h"
 
+#include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 namespace dem
 {
@@ -39,10 +41,7 @@ namespace dem
     }
     std::shared_ptr<const LinkLaw> bonds(const Physics &physics, const int dimension) const override
     {
-      std::vector<std::shared_ptr<const LinkLaw>> laws;
-      for (const auto &each : bonding)
-        laws.push_back(each->bonds(physics, dimension));
-      return std::make_shared<LawsByPair>(std::move(laws), kinds);
+      return std::make_shared<LawsByPair>(bonds_by_kind(physics, dimension), kinds);
     }
     std::shared_ptr<const LinkLaw> contacts(const Physics &physics, const int dimension) const override
     {
@@ -59,9 +58,58 @@ namespace dem
       return std::make_shared<LawsByPair>(std::move(laws), kinds);
     }
 
+    std::vector<std::shared_ptr<const LinkLaw>> bonds_by_kind(const Physics &physics,
+                                                              const int      dimension) const override
+    {
+      std::vector<std::shared_ptr<const LinkLaw>> laws;
+      for (const auto &each : bonding)
+        laws.push_back(each->bonds(physics, dimension));
+      return laws;
+    }
+    std::vector<std::int32_t> kinds_of_bonds() const override { return kinds; }
+
     std::vector<std::shared_ptr<const Concept>> bonding, touching;
     std::vector<std::int32_t>                   kinds;
   };
+
+  /** Bonds of materials, and those of joints through them. */
+  struct LinkMaterials::Jointed : LinkMaterials::Concept
+  {
+    Jointed(std::shared_ptr<const Concept> of_materials,
+            std::shared_ptr<const Concept> of_joints,
+            const std::size_t              material_pairs,
+            const std::size_t              joints)
+      : whole(std::move(of_materials))
+      , cut(std::move(of_joints))
+      , kinds(whole->kinds_of_bonds())
+    {
+      kinds.resize(material_pairs, 0);
+      const std::int32_t last = kinds.empty() ? 0 : *std::max_element(kinds.begin(), kinds.end());
+      kinds.resize(material_pairs + joints, last + 1);
+    }
+    std::shared_ptr<const LinkLaw> bonds(const Physics &physics, const int dimension) const override
+    {
+      std::vector<std::shared_ptr<const LinkLaw>> laws = whole->bonds_by_kind(physics, dimension);
+      laws.push_back(cut->bonds(physics, dimension));
+      return std::make_shared<LawsByPair>(std::move(laws), kinds);
+    }
+    std::shared_ptr<const LinkLaw> contacts(const Physics &physics, const int dimension) const override
+    {
+      return whole->contacts(physics, dimension);
+    }
+
+    std::shared_ptr<const Concept> whole, cut;
+    std::vector<std::int32_t>      kinds; ///< of all pairs
+  };
+
+  LinkMaterials LinkMaterials::jointed(std::shared_ptr<const Concept> of_joints, const std::size_t count) const
+  {
+    LinkMaterials all = *this;
+    all.bonding =
+      std::make_shared<Jointed>(bonding, std::move(of_joints), static_cast<std::size_t>(material_pairs()), count);
+    all.joint_count = count;
+    return all;
+  }
 
   LinkMaterials LinkMaterials::by_pair(const std::vector<LinkMaterials> &of_laws,
                                        const std::vector<std::int32_t>  &kinds)
@@ -86,6 +134,11 @@ namespace dem
         throw base::InputError("particle " + std::to_string(i + 1) +
                                ": material = " + std::to_string(packing.material[i]) + ": " +
                                std::to_string(materials.size()) + " given, numbered from 0.");
+    if (!packing.cuts.empty() && packing.periodic_cell)
+      throw base::InputError("Joints: they cut through a body, and a periodic cell has no end to them.");
+    for (const JointCut &cut : packing.cuts)
+      if (cut.joint < 0 || static_cast<std::size_t>(cut.joint) >= materials.joints() || !(cut.area > 0))
+        throw std::logic_error("a cut of a packing is of no joint, or without area");
   }
 
   // tan(atan()) might miss equal ones by a bit

@@ -110,7 +110,11 @@ namespace dem
     }
 
     std::size_t size() const { return density.size(); }
-    bool        several() const { return size() > 1; }
+    /** Whether links are of several pairs. */
+    bool several() const { return size() > 1 || joints() > 0; }
+    /** Number of pairs of materials; links of joints are of further ones, one for each (Particles::pair_of()). */
+    std::int32_t material_pairs() const { return static_cast<std::int32_t>(size() * (size() + 1) / 2); }
+    std::size_t  joints() const { return joint_count; }
     /** Density of each material's particles [kg/m^3]. @param otherwise of those that have none of their own */
     std::vector<double> densities(double otherwise) const;
 
@@ -143,14 +147,35 @@ namespace dem
      * @param kinds of each pair, in the order of material_pair(), which of `of_laws` it obeys
      */
     static LinkMaterials by_pair(const std::vector<LinkMaterials> &of_laws, const std::vector<std::int32_t> &kinds);
+    /**
+     * The same materials with joints through them (Packing::cuts), whose links obey a law of their own. @pre they have none yet
+     * @param joints constants of each joint, by its number; none: nothing changes
+     */
+    template <typename Parameters>
+    LinkMaterials with_joints(const std::vector<Parameters> &joints) const
+    {
+      if (joints.empty())
+        return *this;
+      std::vector<Parameters> pairs(static_cast<std::size_t>(material_pairs()), joints.front()); // of no link
+      pairs.insert(pairs.end(), joints.begin(), joints.end());
+      return jointed(std::make_shared<JointsOf<Parameters>>(std::move(pairs)), joints.size());
+    }
 
   private:
     struct ByPair;
+    struct Jointed;
     struct Concept
     {
       virtual ~Concept()                                                                                  = default;
       virtual std::shared_ptr<const LinkLaw> bonds(const Physics &physics, int vector_dimension) const    = 0;
       virtual std::shared_ptr<const LinkLaw> contacts(const Physics &physics, int vector_dimension) const = 0;
+      /** The law of each kind, of bonds of several kinds. */
+      virtual std::vector<std::shared_ptr<const LinkLaw>> bonds_by_kind(const Physics &physics, int dimension) const
+      {
+        return {bonds(physics, dimension)};
+      }
+      /** Of each pair of materials the number of its kind; empty: there is one. */
+      virtual std::vector<std::int32_t> kinds_of_bonds() const { return {}; }
     };
     template <typename Parameters>
     struct Of : Concept
@@ -170,7 +195,25 @@ namespace dem
       Materials<Parameters> materials;
     };
 
+    /** Bonds of joints, which touch nothing. */
+    template <typename Parameters>
+    struct JointsOf : Concept
+    {
+      explicit JointsOf(std::vector<Parameters> given)
+        : pairs(std::move(given))
+      {
+      }
+      std::shared_ptr<const LinkLaw> bonds(const Physics &physics, const int dimension) const override
+      {
+        return Parameters::Law::bonds(pairs, physics, dimension);
+      }
+      std::shared_ptr<const LinkLaw> contacts(const Physics &, int) const override { return nullptr; }
+      std::vector<Parameters>        pairs;
+    };
+    LinkMaterials jointed(std::shared_ptr<const Concept> of_joints, std::size_t count) const;
+
     std::shared_ptr<const Concept> bonding, touching;
+    std::size_t                    joint_count = 0;
     std::vector<double>            density; ///< of each material; 0: none of its own
     std::vector<bool>              unbonded;
   };

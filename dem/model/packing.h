@@ -19,6 +19,19 @@ namespace dem
       Eigen::Matrix3d::Zero(); ///< about the centre, over the mass [m^2]; in the plane z alone counts
   };
 
+  /** Two particles with a joint between them: the plane of a crack that was there before the load (doc/theory/smooth-joint.md, 4). */
+  struct JointCut
+  {
+    std::int32_t first = 0, second = 0; ///< numbers of the particles, the first the smaller
+    std::int32_t joint = 0;             ///< its number, from 0
+    double       area  = 0;             ///< of a link between the two: its share of the joint [m^2], > 0
+
+    bool operator<(const JointCut &other) const
+    {
+      return first != other.first ? first < other.first : second < other.second;
+    }
+  };
+
   /**
  * Spheres (discs in two dimensions: z = 0): where a specimen starts from. Of their material it knows a number and, if its maker
  * gave one, a name; the constants are the specimen's.
@@ -38,6 +51,9 @@ namespace dem
     std::vector<std::int32_t> clump =
       {}; ///< number of the body below that each is a pebble of, -1: of none; empty: none is
     std::vector<PackedBody> bodies = {};
+
+    std::vector<JointCut> cuts =
+      {}; ///< in their order, each pair once; such pairs are linked by the joint, or not at all
 
     /** Whether two are pebbles of one body, and may overlap as they like. */
     bool in_one_body(const std::size_t first, const std::size_t second) const

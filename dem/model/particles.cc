@@ -1,5 +1,7 @@
 #include "dem/model/particles.h"
 
+#include "dem/model/materials.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -45,6 +47,27 @@ namespace dem
         }
     }
   } // namespace
+
+  const JointCut *Particles::cut_between(const std::int32_t one, const std::int32_t other) const
+  {
+    if (cuts.empty())
+      return nullptr;
+    JointCut   asked;
+    const auto found_as = std::minmax(number[static_cast<std::size_t>(one)], number[static_cast<std::size_t>(other)]);
+    asked.first         = found_as.first;
+    asked.second        = found_as.second;
+    const auto found    = std::lower_bound(cuts.begin(), cuts.end(), asked);
+    return found == cuts.end() || asked < *found ? nullptr : &*found;
+  }
+
+  std::int32_t Particles::pair_of(const std::int32_t one, const std::int32_t other) const
+  {
+    if (const JointCut *cut = cut_between(one, other))
+      return first_joint + cut->joint;
+    return material.empty() ?
+             0 :
+             material_pair(material[static_cast<std::size_t>(one)], material[static_cast<std::size_t>(other)]);
+  }
 
   Particles make_particles(const Packing &packing, const ParticleShape &shape, const bool rotations)
   {

@@ -38,6 +38,8 @@ namespace dem
     std::vector<std::int32_t> made_links;   ///< cohesive links at the start
     std::vector<std::int32_t> broken_links; ///< cohesive links deleted since
     std::vector<std::int32_t> material;     ///< number of each particle's material; empty: there is one
+    std::vector<JointCut>     cuts;         ///< between particles by their numbers in the packing
+    std::int32_t first_joint = 1; ///< number of the pair that links of the first joint are of, after those of materials
     std::vector<std::int32_t>
       body; ///< what each particle moves with: a rigid clump's number, alone or left; empty: all alone
 
@@ -52,6 +54,11 @@ namespace dem
       return !body.empty() && body[static_cast<std::size_t>(first)] != alone &&
              body[static_cast<std::size_t>(first)] == body[static_cast<std::size_t>(second)];
     }
+
+    /** The cut between two particles; nullptr: no joint lies between them. */
+    const JointCut *cut_between(std::int32_t one, std::int32_t other) const;
+    /** Number of the pair that a link between two is of: of their materials, or of the joint between them. */
+    std::int32_t pair_of(std::int32_t one, std::int32_t other) const;
 
     const double   *pose_of(const std::size_t i) const { return &pose[record_size * i]; }
     double          radius_of(const std::size_t i) const { return pose[record_size * i + 6]; }

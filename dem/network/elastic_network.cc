@@ -251,6 +251,9 @@ namespace dem
   {
     check_links(p);
     check_materials(packing, materials);
+    if (materials.joints() > 0)
+      throw base::InputError("Joints: they slide on planes of their own, which a network in equilibrium has none of. "
+                             "Leave them to particles in motion.");
     if (!materials.unbonded_pairs().empty())
       throw base::InputError(
         "Interfaces: materials without bonds between them are for particles in motion; a network in "

@@ -32,15 +32,17 @@ namespace dem
       return Cell(edges.asDiagonal(), p.physics.dimension);
     }
 
-    /** Their materials are noted only where there are several. */
+    /** Their materials are noted only where links are of several pairs. */
     Particles make_particles_in_cell(const Packing            &packing,
                                      const ParticleShape      &shape,
                                      const SpecimenParameters &p,
-                                     const bool                several_materials)
+                                     const LinkMaterials      &materials)
     {
-      Particles particles = make_particles(packing, shape, p.physics.rotations);
-      particles.cell      = make_cell(packing, p);
-      if (!several_materials)
+      Particles particles   = make_particles(packing, shape, p.physics.rotations);
+      particles.cell        = make_cell(packing, p);
+      particles.cuts        = packing.cuts;
+      particles.first_joint = materials.material_pairs();
+      if (!materials.several())
         particles.material.clear();
       else if (particles.material.empty())
         particles.material.assign(particles.count, 0);
@@ -77,7 +79,7 @@ namespace dem
   SpecimenCore::SpecimenCore(const Packing &packing, const SpecimenParameters &p, const LinkMaterials &materials)
     : parameters(p)
     , shape{p.physics.dimension, p.density, p.thickness, materials.densities(p.density)}
-    , particles(make_particles_in_cell(packing, shape, p, materials.several()))
+    , particles(make_particles_in_cell(packing, shape, p, materials))
     , equal_radii(std::all_of(
         packing.radius.begin(), packing.radius.end(), [&](const double r) { return r == packing.radius[0]; }))
     , smallest_radius(*std::min_element(packing.radius.begin(), packing.radius.end()))
@@ -143,11 +145,9 @@ namespace dem
   {
     if (unbonded.empty())
       return;
-    const auto material = [&](const std::int32_t i) {
-      return particles.material.empty() ? 0 : particles.material[static_cast<std::size_t>(i)];
-    };
     const auto linked_end = std::remove_if(pairs.begin(), pairs.end(), [&](const NeighbourPair &pair) {
-      return unbonded[static_cast<std::size_t>(material_pair(material(pair.first), material(pair.second)))];
+      const auto of_pair = static_cast<std::size_t>(particles.pair_of(pair.first, pair.second));
+      return of_pair < unbonded.size() && unbonded[of_pair]; // joints link whatever they cut
     });
     if (linked_end == pairs.end())
       return;

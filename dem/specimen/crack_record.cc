@@ -1,6 +1,5 @@
 #include "dem/specimen/crack_record.h"
 
-#include "dem/model/materials.h"
 #include "dem/specimen/results.h"
 
 namespace dem
@@ -80,7 +79,7 @@ namespace dem
           {static_cast<std::size_t>(particles.number[first]), static_cast<std::size_t>(particles.number[second])});
         out.kind.push_back(LinkOutput::broken);
         if (pairs)
-          out.pair.push_back(material_pair(particles.material[first], particles.material[second]));
+          out.pair.push_back(particles.pair_of(first, second));
         out.damage.push_back(1.0);
         out.strength_damage.push_back(1.0);
         const double         *record = &geometry[record_size * (i / 2)];
