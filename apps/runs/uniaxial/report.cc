@@ -76,7 +76,7 @@ namespace apps
       summary["energy"]["not_in_balance"] = left_out;
     test.materials.put_into(summary);
     for (const UniaxialResult &result : results)
-      summary["tests"].push_back(test_details(result, LinkClasses(model.mixed().link_classes(test.materials.names))));
+      summary["tests"].push_back(test_details(result, LinkClasses(model.link_classes(test.materials.names))));
     if (model.mix.given())
       summary["mix"] = model.mixed().figures().json();
     return summary;
@@ -106,8 +106,7 @@ namespace apps
     if (model.mix.given())
       text += fmt::format("mix          {}\n", model.mixed().figures().text());
     for (const UniaxialResult &result : results)
-      text += text_of(result.notes) +
-              LinkClasses(model.mixed().link_classes(test.materials.names)).text(result.link_classes) +
+      text += text_of(result.notes) + LinkClasses(model.link_classes(test.materials.names)).text(result.link_classes) +
               EmissionFigures(result.emission).text();
     text += basis_of(results.front().notes);
     text += warning_lines(notes_of(results));
