@@ -22,7 +22,8 @@ namespace apps
     for (const std::int32_t number : material)
       ++particles.at(static_cast<std::size_t>(number));
     for (const std::int32_t number : pair)
-      ++links.at(static_cast<std::size_t>(number));
+      if (static_cast<std::size_t>(number) < links.size()) // others are of joints
+        ++links[static_cast<std::size_t>(number)];
   }
 
   MaterialCounts::MaterialCounts(std::vector<std::string> scene_names, const dem::ObservedSpecimen &specimen)

@@ -19,7 +19,8 @@ namespace apps
     dem::Specimen
     specimen_with_clumps(const ParticlesModel &model, const dem::Packing &packing, const ParticleGroups &groups)
     {
-      dem::Specimen made(packing, model.parameters(), model.material.materials());
+      const JointedPacking jointed = model.jointed(packing);
+      dem::Specimen        made(jointed.packing(), model.parameters(), jointed.materials(model.material.materials()));
       model.clumps.make(made, groups);
       dem::add_packed_clumps(made, packing, model.material.materials());
       return made;

@@ -81,6 +81,7 @@ namespace apps
     text += extent_lines(packing, model.physics.dimension);
     text += lines_of_tension_beyond_apex(model.material);
     text += MaterialCounts(packing.material_names, specimen).text();
+    text += model.jointed(packing).text();
     text += fmt::format("  groups       {}\n", text_of(model.groups_in(packing)));
     if (!model.walls.walls.empty())
       text += fmt::format("  walls        {}\n", body.all_walls().text());

@@ -16,6 +16,11 @@ namespace apps
       root.at("Gravity").refuse("Initial equilibrium",
                                 "platens of section Laboratory stand where the packing ends, and would not know of "
                                 "an equilibrium that moves it. Choose none.");
+    joints.check(root.at("Specimen"), physics.dimension);
+    if (joints.given() && !bonded())
+      root.at("Specimen").refuse("Joints", "they cut links, and the law of the material makes none.");
+    if (joints.given() && gravity.asks_for_equilibrium())
+      root.at("Gravity").refuse("Initial equilibrium", "is not found for a specimen with joints. Choose none.");
     stops.check(root, column_names());
     curve_horizontal();
     curve_vertical();
@@ -73,6 +78,11 @@ namespace apps
     made.gravity                 = gravity.vector();
     made.emission_reach          = emission.reach;
     return made;
+  }
+
+  JointedPacking ParticlesModel::jointed(const dem::Packing &packing) const
+  {
+    return {joints, source, packing, physics.dimension, joints.given() ? more.loose(physics.dimension) : 0};
   }
 
   std::vector<postprocess::SeriesColumn> ParticlesModel::columns() const

@@ -2,15 +2,17 @@
 
 #include "apps/models/emission.h"
 #include "apps/models/gravity.h"
+#include "apps/models/joints.h"
 #include "apps/models/output.h"
 #include "apps/models/time.h"
 #include "apps/runs/particles/clumps.h"
 #include "apps/runs/particles/forces.h"
-#include "apps/runs/particles/probes.h"
 #include "apps/runs/particles/initial_velocity.h"
 #include "apps/runs/particles/laboratory_section.h"
 #include "apps/runs/particles/more_particles.h"
+#include "apps/runs/particles/probes.h"
 #include "apps/runs/particles/stops.h"
+#include "apps/specimens/jointed_packing.h"
 #include "base/entry_path.h"
 #include "postprocess/files/series.h"
 
@@ -22,6 +24,7 @@ namespace apps
   struct ParticlesModel
   {
     SpecimenSection         source;
+    JointSection            joints; ///< through the specimen; none where it is part of a larger model
     MoreParticlesSection    more;
     MaterialSection         material;
     dem::Physics            physics;
@@ -54,6 +57,8 @@ namespace apps
     /** @param packing as packing() makes it */
     ParticleGroups          groups_in(const dem::Packing &packing) const;
     dem::SpecimenParameters parameters() const;
+    /** A packing with the joints through it. @throws base::InputError */
+    JointedPacking jointed(const dem::Packing &packing) const;
 
     /** When the run ends in any case [s]. */
     double last_time() const { return end_time > 0 ? end_time : std::numeric_limits<double>::infinity(); }

@@ -56,8 +56,10 @@ namespace apps
   std::string forecast(const UniaxialModel &asked, const std::size_t ranks)
   {
     const base::Stopwatch set_up;
-    const dem::Packing    packing   = asked.packing();
-    const auto            materials = asked.mixed().materials(packing.material_names);
+    const dem::Packing    uncut     = asked.packing();
+    const JointedPacking  jointed   = asked.jointed(uncut);
+    const dem::Packing   &packing   = jointed.packing();
+    const auto            materials = jointed.materials(asked.mixed().materials(packing.material_names));
     dem::Specimen         body(packing, asked.specimen(), materials);
     const double          set_up_seconds = set_up.seconds();
     std::string           text;
@@ -66,6 +68,7 @@ namespace apps
     text += extent_lines(packing, asked.physics.dimension);
     text += lines_of_tension_beyond_apex(asked.material);
     text += MaterialCounts(packing.material_names, body).text();
+    text += jointed.text();
     text += fmt::format("  time step    {:.4g} s = {} of the bound of its particles\n", body.time_step(),
                         asked.time.step_factor);
     text += fmt::format("               {:.4g} s would be critical: sharp, by the largest eigenvalue\n",

@@ -57,10 +57,17 @@ namespace apps
   } // namespace
 
   UniaxialLabTest::UniaxialLabTest(const UniaxialModel &model, const dem::Packing &packing, const std::size_t which)
+    : UniaxialLabTest(model, model.jointed(packing), which)
+  {
+  }
+
+  UniaxialLabTest::UniaxialLabTest(const UniaxialModel &model, const JointedPacking &jointed, const std::size_t which)
     : name(name_of(model.loading.tests[which]))
-    , classes(model.mixed().link_classes(packing.material_names))
+    , classes(jointed.link_classes(model.mixed().link_classes(jointed.packing().material_names)))
     , axis(model.loading.axis)
-    , specimen(packing, model.specimen(), model.mixed().materials(packing.material_names))
+    , specimen(jointed.packing(),
+               model.specimen(),
+               jointed.materials(model.mixed().materials(jointed.packing().material_names)))
     , test(specimen, model.loading.parameters(model.loading.tests[which]))
     , gravity(model.gravity)
     , steps_at_most(most_steps(model.loading, model.loading.tests[which], specimen.time_step()))
@@ -75,7 +82,7 @@ namespace apps
     result.time_step          = specimen.time_step();
     result.at_start           = specimen.counts();
     share_among_ranks(specimen);
-    materials         = MaterialCounts(packing.material_names, specimen);
+    materials         = MaterialCounts(jointed.packing().material_names, specimen);
     const double sign = result.load == UniaxialLoad::tension ? 1 : -1;
     test.watch([this, sign](const dem::UniaxialSample &now) { sideways.note(specimen, axis, sign * now.stress); });
   }

@@ -74,6 +74,8 @@ namespace apps
     static std::vector<postprocess::SeriesColumn> series_columns(const UniaxialModel &model);
 
   private:
+    UniaxialLabTest(const UniaxialModel &model, const JointedPacking &jointed, std::size_t number);
+
     bool        snapshot_due() const;                            ///< with the last sample
     int         seen_along() const { return axis == 2 ? 1 : 2; } ///< of pictures, across the load
     std::string draw_crack(const std::filesystem::path &folder) const;

@@ -9,7 +9,10 @@ namespace apps
     source.check(root, physics.dimension);
     material.check(root, physics.dimension);
     mixed().check(root);
+    joints.check(root.at("Specimen"), physics.dimension);
     gravity.check(root, physics.dimension);
+    if (joints.given() && gravity.asks_for_equilibrium())
+      root.at("Gravity").refuse("Initial equilibrium", "is not found for a specimen with joints. Choose none.");
     loading.check(root, physics.dimension);
   }
 
@@ -22,4 +25,14 @@ namespace apps
   }
 
   MixedSpecimen UniaxialModel::mixed() const { return {source, mix, material, physics.dimension}; }
+
+  JointedPacking UniaxialModel::jointed(const dem::Packing &packing) const
+  {
+    return {joints, source, packing, physics.dimension};
+  }
+
+  std::vector<std::string> UniaxialModel::link_classes(const std::vector<std::string> &materials) const
+  {
+    return classes_with_joints(joints, mixed().link_classes(materials));
+  }
 } // namespace apps

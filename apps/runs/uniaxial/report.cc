@@ -80,7 +80,7 @@ namespace apps
       summary["energy"]["not_in_balance"] = left_out;
     test.materials.put_into(summary);
     for (const UniaxialResult &result : results)
-      summary["tests"].push_back(test_details(result, LinkClasses(model.mixed().link_classes(test.materials.names))));
+      summary["tests"].push_back(test_details(result, LinkClasses(model.link_classes(test.materials.names))));
     if (model.mix.given())
       summary["mix"] = model.mixed().figures().json();
     return summary;
@@ -110,8 +110,7 @@ namespace apps
     if (model.mix.given())
       text += fmt::format("mix          {}\n", model.mixed().figures().text());
     for (const UniaxialResult &result : results)
-      text += text_of(result.notes) +
-              LinkClasses(model.mixed().link_classes(test.materials.names)).text(result.link_classes) +
+      text += text_of(result.notes) + LinkClasses(model.link_classes(test.materials.names)).text(result.link_classes) +
               EmissionFigures(result.emission).text();
     for (const UniaxialResult &result : results)
       if (result.fracture_zone_width > 0)

@@ -2,6 +2,7 @@
 
 #include "apps/scene/entries/emission.h"
 #include "apps/scene/entries/gravity.h"
+#include "apps/scene/entries/joints.h"
 #include "apps/scene/entries/material.h"
 #include "apps/scene/entries/output.h"
 #include "apps/scene/entries/physics.h"
@@ -49,6 +50,7 @@ namespace apps
   void declare(Section &root, ParticlesModel &model)
   {
     declare_as_part(root, model);
+    declare(*root.find_section("Specimen"), model.joints);
     declare_course(root, model);
     declare(root, model.laboratory);
   }

@@ -2,6 +2,7 @@
 
 #include "apps/scene/entries/emission.h"
 #include "apps/scene/entries/gravity.h"
+#include "apps/scene/entries/joints.h"
 #include "apps/scene/entries/loading.h"
 #include "apps/scene/entries/material.h"
 #include "apps/scene/entries/mix.h"
@@ -17,6 +18,7 @@ namespace apps
   {
     declare(root, model.source, model.physics.dimension);
     declare(*root.find_section("Specimen"), model.mix);
+    declare(*root.find_section("Specimen"), model.joints);
     declare(root, model.material);
     declare_physics(root, model.physics);
     declare(root, model.time);
