@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 namespace apps
 {
@@ -22,13 +23,11 @@ namespace apps
 
   void SpreadAmount::visit_state(base::StateVisitor &visitor, const std::string &name)
   {
-    base::Column row = {amount};
-    row.insert(row.end(), first.begin(), first.end());
-    row.insert(row.end(), second.data(), second.data() + second.size());
-    visitor.column(name, row);
-    amount = row.at(0);
-    first  = Eigen::Map<const Eigen::Vector3d>(&row.at(1));
-    second = Eigen::Map<const Eigen::Matrix3d>(&row.at(4));
+    visitor.scalar(name + "/amount", amount); // scalars, as every rank has all of it
+    for (int i = 0; i < 3; ++i)
+      visitor.scalar(name + "/first_" + std::to_string(i), first[i]);
+    for (int i = 0; i < 9; ++i)
+      visitor.scalar(name + "/second_" + std::to_string(i), second.data()[i]);
   }
 
   SpreadAmount operator-(const SpreadAmount &all, const SpreadAmount &part)

@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 
 #include <optional>
+#include <string>
 
 namespace apps
 {
@@ -26,8 +27,8 @@ namespace apps
 
   /**
    * The zone in which a body fails: where it dissipates energy once its load has fallen to 0.8 of the peak, when all but that zone unloads.
-   * Its width is what a continuum without size of its own cannot have; compared with that of particles it gives the length of a nonlocal one (P. Grassl,
-   * D. Xenos, M. Jirasek, M. Horak, Int. J. Solids Struct. 51 (2014) 3239; doc/theory/late-transfers.md, 9).
+   * Its width is what a continuum without size of its own cannot have; compared with that of particles it gives the length of a nonlocal
+   * one (P. Grassl, D. Xenos, M. Jirasek, M. Horak, Int. J. Solids Struct. 51 (2014) 3239; doc/theory/late-transfers.md, 9).
    */
   class FractureZone
   {

@@ -24,9 +24,9 @@ namespace optimisation
   struct ModelAtEnd
   {
     Eigen::VectorXd place, residuals; ///< those of the search where noise does not matter
-    Eigen::MatrixXd
-                    jacobian; ///< of the residuals; central, by wide steps, where noise matters, with no column but zeros for a variable on a bound; empty: it has none
-    Eigen::MatrixXd noise;    ///< draws of the noise of one answer, a column each; empty where it does not matter
+    /** Of the residuals; where noise matters central, by wide steps, with zeros for variables on a bound; empty: it has none. */
+    Eigen::MatrixXd jacobian;
+    Eigen::MatrixXd noise; ///< draws of the noise of one answer, a column each; empty where it does not matter
     double          noise_degrees = 0; ///< how many independent draws they are worth
     double          share         = 1; ///< of the variance of one answer's noise in what the place was found from
     double of_column = 0; ///< expected squared norm of the noise in a column of the Jacobian, in units of wide steps

@@ -13,8 +13,8 @@ namespace apps
     /** Dissipated on the way from one record to another [J/m^3]. */
     double dissipated_between(const Record &before, const Record &now)
     {
-      const auto strain = (now - before).head<components>();
-      const auto stress = (0.5 * (now + before)).segment<components>(components);
+      const base::Voigt strain = (now - before).head<components>();
+      const base::Voigt stress = (0.5 * (now + before)).segment<components>(components);
       return stress.dot(strain) - (now - before)[record - 1];
     }
 
