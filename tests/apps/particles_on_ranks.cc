@@ -99,12 +99,11 @@ TEST_CASE("Concrete pulled and crushed has the same results on any number of ran
   CHECK(occurrences("faces of the specimen are cut", content_of(folder / "said")) == 1);
 }
 
-TEST_CASE("Pressed spheres, a rock in tension and bodies that tumble have the same results on ranks",
-          "[apps][mpi][ranks][slow]")
+TEST_CASE("Pressed spheres, rocks and bodies that tumble have the same results on ranks", "[apps][mpi][ranks][slow]")
 {
   if (places::skipped_without_mpirun())
     return;
-  for (const char *scene : {"pressed_spheres.prm", "rock_tension.prm", "tumbling_bodies.prm"})
+  for (const char *scene : {"pressed_spheres.prm", "rock_tension.prm", "jointed_network.prm", "tumbling_bodies.prm"})
     {
       INFO(scene);
       const ScratchFolder folder;
