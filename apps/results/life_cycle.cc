@@ -28,12 +28,7 @@ namespace apps
         whole.emplace(*checkpoint, reads);
       if (rank_count() == 1)
         return visit(*whole);
-      if (work.whole_on_each_rank())
-        {
-          CopiedState copied(whole ? &*whole : nullptr, reads);
-          return visit(copied);
-        }
-      SharedState shared(whole ? &*whole : nullptr, reads);
+      SharedState shared(whole ? &*whole : nullptr, reads, work.whole_on_each_rank());
       visit(shared);
     }
 

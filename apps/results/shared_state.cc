@@ -14,7 +14,7 @@ namespace apps
     using dealii::Utilities::MPI::gather;
 
     template <typename Values>
-    void visit_column(base::StateVisitor *inner, const bool reads, const std::string &name, Values &values)
+    void visit_parts(base::StateVisitor *inner, const bool reads, const std::string &name, Values &values)
     {
       using Plain = std::vector<typename Values::value_type>;
       Values whole;
@@ -50,48 +50,31 @@ namespace apps
     }
   } // namespace
 
-  SharedState::SharedState(RunState *on_first, const bool reads)
+  SharedState::SharedState(RunState *on_first, const bool reads, const bool whole_on_each_rank)
     : inner(on_first)
     , reader(reads)
+    , whole(whole_on_each_rank)
   {
+  }
+
+  template <typename Values>
+  void SharedState::visit_column(const std::string &name, Values &values)
+  {
+    if (!whole)
+      return visit_parts(inner, reader, name, values);
+    on_first_rank([&] { inner->column(name, values); });
+    if (!reader)
+      return;
+    const auto all = broadcast(MPI_COMM_WORLD, std::vector<typename Values::value_type>(values.begin(), values.end()));
+    values.assign(all.begin(), all.end());
   }
 
   void SharedState::group(const std::string &name)
   {
     on_first_rank([&] { inner->group(name); });
   }
-  void SharedState::column(const std::string &name, base::Column &values) { visit_column(inner, reader, name, values); }
-  void SharedState::column(const std::string &name, std::vector<std::int32_t> &values)
-  {
-    visit_column(inner, reader, name, values);
-  }
+  void SharedState::column(const std::string &name, base::Column &values) { visit_column(name, values); }
+  void SharedState::column(const std::string &name, std::vector<std::int32_t> &values) { visit_column(name, values); }
   void SharedState::scalar(const std::string &name, double &value) { visit_scalar(inner, reader, name, value); }
   void SharedState::scalar(const std::string &name, std::int64_t &value) { visit_scalar(inner, reader, name, value); }
-
-  CopiedState::CopiedState(RunState *on_first, const bool reads)
-    : inner(on_first)
-    , reader(reads)
-  {
-  }
-
-  void CopiedState::group(const std::string &name)
-  {
-    on_first_rank([&] { inner->group(name); });
-  }
-  void CopiedState::column(const std::string &name, base::Column &values)
-  {
-    on_first_rank([&] { inner->column(name, values); });
-    if (!reader)
-      return;
-    const auto all = broadcast(MPI_COMM_WORLD, std::vector<double>(values.begin(), values.end()));
-    values.assign(all.begin(), all.end());
-  }
-  void CopiedState::column(const std::string &name, std::vector<std::int32_t> &values)
-  {
-    on_first_rank([&] { inner->column(name, values); });
-    if (reader)
-      values = broadcast(MPI_COMM_WORLD, values);
-  }
-  void CopiedState::scalar(const std::string &name, double &value) { visit_scalar(inner, reader, name, value); }
-  void CopiedState::scalar(const std::string &name, std::int64_t &value) { visit_scalar(inner, reader, name, value); }
 } // namespace apps

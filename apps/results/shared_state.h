@@ -7,16 +7,16 @@
 namespace apps
 {
   /**
-   * State that is spread over the ranks, as one state of the first rank: what a checkpoint stores and gives back.
+   * State of several ranks, as one state of the first rank: what a checkpoint stores and gives back.
    *
-   * Columns are spread: each rank holds its part, of the right length also before reading. Scalars are the same on all
-   * ranks. The same number of ranks must read what they wrote.
+   * Columns are spread: each rank holds its part, of the right length also before reading, and the same number of ranks must read what they
+   * wrote. Or each rank has all of them: then the first one's are stored, and given back to all. Scalars are the same on all ranks.
    */
   class SharedState : public RunState
   {
   public:
     /** @param on_first_rank where the state goes to or comes from; nullptr on other ranks. */
-    SharedState(RunState *on_first_rank, bool reads);
+    SharedState(RunState *on_first_rank, bool reads, bool whole_on_each_rank);
 
     bool reads() const override { return reader; }
     void group(const std::string &name) override;
@@ -28,26 +28,10 @@ namespace apps
     void scalar(const std::string &name, std::int64_t &value) override;
 
   private:
+    template <typename Values>
+    void visit_column(const std::string &name, Values &values);
+
     RunState *inner;
-    bool      reader;
-  };
-
-  /** State of which each rank has all: the first one's is stored, and given back to all. */
-  class CopiedState : public RunState
-  {
-  public:
-    /** @param on_first_rank as above */
-    CopiedState(RunState *on_first_rank, bool reads);
-
-    bool reads() const override { return reader; }
-    void group(const std::string &name) override;
-    void column(const std::string &name, base::Column &values) override;
-    void column(const std::string &name, std::vector<std::int32_t> &values) override;
-    void scalar(const std::string &name, double &value) override;
-    void scalar(const std::string &name, std::int64_t &value) override;
-
-  private:
-    RunState *inner;
-    bool      reader;
+    bool      reader, whole;
   };
 } // namespace apps

@@ -13,6 +13,25 @@ namespace dem
     /** Numbers of a record that say something: three and three. */
     constexpr std::size_t told = 6;
 
+    /** What records of some particles say, one after the other. */
+    void put_records(const std::vector<base::Column *> &columns, const std::vector<std::int32_t> &of, double *numbers)
+    {
+      for (const std::int32_t i : of)
+        for (const base::Column *column : columns)
+          numbers = std::copy_n(&(*column)[record_size * static_cast<std::size_t>(i)], told, numbers);
+    }
+
+    void
+    take_records(const std::vector<base::Column *> &columns, const std::vector<std::int32_t> &of, const double *numbers)
+    {
+      for (const std::int32_t i : of)
+        for (base::Column *column : columns)
+          {
+            std::copy_n(numbers, told, &(*column)[record_size * static_cast<std::size_t>(i)]);
+            numbers += told;
+          }
+    }
+
     /** Call use(numbers, count) for all that is remembered of the lines of a block. */
     template <typename Use>
     void for_contents(LinkSet &links, const std::size_t block, const Use &use)
@@ -113,36 +132,16 @@ namespace dem
       begin.push_back(brick * sizeof(ParticleBlockAccount));
     gather(accounts.data(), begin);
 
-    const std::array<base::Column *, 2> columns = {&particles.pose, &particles.motion};
-    std::vector<RankMessage>            out, in;
-    for (std::size_t r = 0; r < size(); ++r)
+    const std::vector<base::Column *> columns = {&particles.pose, &particles.motion};
+    for (RankMessage &message : out)
       {
-        if (!sent[r].empty())
-          {
-            out.push_back({r, {}});
-            for (const std::int32_t i : sent[r])
-              for (const base::Column *column : columns)
-                {
-                  const double *record = &(*column)[record_size * static_cast<std::size_t>(i)];
-                  out.back().numbers.insert(out.back().numbers.end(), record, record + told);
-                }
-            bytes += static_cast<std::int64_t>(sizeof(double) * out.back().numbers.size());
-            ++messages;
-          }
-        if (!ghosts[r].empty())
-          in.push_back({r, std::vector<double>(columns.size() * told * ghosts[r].size())});
+        put_records(columns, sent[message.rank], message.numbers.data());
+        bytes += static_cast<std::int64_t>(sizeof(double) * message.numbers.size());
+        ++messages;
       }
     ranks->exchange(out, in);
     for (const RankMessage &message : in)
-      {
-        const double *next = message.numbers.data();
-        for (const std::int32_t i : ghosts[message.rank])
-          for (base::Column *column : columns)
-            {
-              std::copy_n(next, told, &(*column)[record_size * static_cast<std::size_t>(i)]);
-              next += told;
-            }
-      }
+      take_records(columns, ghosts[message.rank], message.numbers.data());
     if (!by_all.empty())
       gather_records({&particles.pose, &particles.motion}, by_all);
   }
@@ -169,21 +168,9 @@ namespace dem
     for (const std::int32_t particle : particle_begin)
       begin.push_back(static_cast<std::size_t>(std::lower_bound(of.begin(), of.end(), particle) - of.begin()) * told *
                       columns.size() * sizeof(double));
-    double *next = all.data();
-    for (const std::int32_t i : of)
-      for (const base::Column *column : columns)
-        {
-          std::copy_n(&(*column)[record_size * static_cast<std::size_t>(i)], told, next);
-          next += told;
-        }
+    put_records(columns, of, all.data());
     gather(all.data(), begin);
-    next = all.data();
-    for (const std::int32_t i : of)
-      for (base::Column *column : columns)
-        {
-          std::copy_n(next, told, &(*column)[record_size * static_cast<std::size_t>(i)]);
-          next += told;
-        }
+    take_records(columns, of, all.data());
   }
 
   void SharedWork::gather_places(Particles &particles)

@@ -95,6 +95,7 @@ namespace dem
     std::vector<std::int32_t>              particle_begin; ///< likewise
     SetShare                               of_bonds, of_contacts;
     std::vector<std::vector<std::int32_t>> sent, ghosts; ///< particles that each other rank needs, and has for this one
+    std::vector<RankMessage>               out, in;      ///< with their places and motions
     bool                                   places_stale = false, rates_stale = false;
     std::int64_t                           messages = 0, bytes = 0;
   };

@@ -1,6 +1,7 @@
 // What of a specimen is whose (doc/theory/ranks.md, 3).
 
 #include "dem/core/simd.h"
+#include "dem/ranks/exchange_cost.h"
 #include "dem/ranks/shares.h"
 #include "dem/specimen/rank_shares.h"
 #include "dem/specimen/shared_work.h"
@@ -12,6 +13,8 @@ namespace dem
 {
   namespace
   {
+    constexpr std::size_t numbers_of_ghost = bytes_per_ghost / sizeof(double);
+
     /** Blocks of each law of a set. */
     std::vector<std::pair<std::size_t, std::size_t>> blocks_of_laws(const LinkSet &links)
     {
@@ -128,6 +131,12 @@ namespace dem
       if (!owns(particle))
         ghosts[owner_of(particle)].push_back(particle);
     sent = ranks->deliver(ghosts);
+    out.clear();
+    in.clear();
+    for (std::size_t r = 0; r < size(); ++r)
+      for (const auto &[particles_of, messages_of] : {std::pair(&sent, &out), std::pair(&ghosts, &in)})
+        if (const std::size_t count = (*particles_of)[r].size(); count > 0)
+          messages_of->push_back({r, std::vector<double>(numbers_of_ghost * count)});
   }
 
   void SharedWork::plan(const Particles &particles, LinkSet &bonds, LinkSet &contacts)

@@ -10,6 +10,7 @@
 #include "dem/statics/quasi_static_path.h"
 #include "same_bits.h"
 #include "two_materials.h"
+#include "weak_bonds.h"
 
 #include <catch2/catch.hpp>
 
@@ -18,51 +19,11 @@
 
 using Catch::Matchers::Contains;
 using Eigen::Vector3d;
+using namespace weak_bonds;
 
 namespace
 {
   const double r = 1e-3;
-
-  dem::ParallelBondParameters parallel()
-  {
-    dem::ParallelBondParameters p;
-    p.effective_modulus    = 10e9;
-    p.stiffness_ratio      = 2.5;
-    p.friction_coefficient = 0.3;
-    p.tensile_strength     = 0.3e6;
-    p.cohesion             = 0.9e6;
-    return p;
-  }
-
-  dem::ContactBondParameters point()
-  {
-    dem::ContactBondParameters p;
-    p.effective_modulus    = 5e9;
-    p.stiffness_ratio      = 1.5;
-    p.friction_coefficient = 0.2;
-    p.tensile_strength     = 0.1e6;
-    p.cohesion             = 0.4e6;
-    return p;
-  }
-
-  dem::FlatJointParameters flat()
-  {
-    dem::FlatJointParameters p;
-    p.effective_modulus    = 8e9;
-    p.stiffness_ratio      = 2;
-    p.friction_coefficient = 0.2;
-    p.tensile_strength     = 0.2e6;
-    p.cohesion             = 0.6e6;
-    p.friction_angle       = 20;
-    return p;
-  }
-
-  /** Two materials of the same constants. */
-  template <typename Parameters>
-  dem::LinkMaterials twice(const Parameters &p)
-  {
-    return dem::Materials<Parameters>({{"mortar", p, 0}, {"grains", p, 0}});
-  }
 
   /** Parallel bonds in mortar, contact bonds at the grains, flat joints in these. */
   dem::LinkMaterials three_laws()

@@ -14,6 +14,7 @@
 #include "dem/packing/lattice.h"
 #include "dem/specimen/specimen.h"
 #include "laboratory_fixture.h"
+#include "weak_bonds.h"
 
 #include <functional>
 #include <memory>
@@ -127,20 +128,32 @@ namespace shared_bodies
     dem::CellTest test;
   };
 
-  /** Loose grains fall into a box and on each other, with friction. */
-  inline std::unique_ptr<Body> falling_grains()
+  inline dem::LinearContactParameters rough_grains()
   {
     dem::LinearContactParameters grains;
     grains.effective_modulus    = 1e8;
     grains.stiffness_ratio      = 1.5;
     grains.friction_coefficient = 0.5;
+    return grains;
+  }
+
+  inline dem::SpecimenParameters falling()
+  {
     dem::SpecimenParameters parameters;
     parameters.density           = 2600;
     parameters.interaction_ratio = 1;
     parameters.damping           = 0.2;
     parameters.gravity           = {0, 0, -9.81};
-    dem::Packing       packing   = cluster::cubic_lattice(10, 10, 10, 1e-3);
-    dem::UniformRandom random(3);
+    return parameters;
+  }
+
+  /** Loose grains fall into a box and on each other, with friction. */
+  inline std::unique_ptr<Body> falling_grains()
+  {
+    const dem::LinearContactParameters grains     = rough_grains();
+    const dem::SpecimenParameters      parameters = falling();
+    dem::Packing                       packing    = cluster::cubic_lattice(10, 10, 10, 1e-3);
+    dem::UniformRandom                 random(3);
     for (Vector3d &x : packing.centre)
       x = 1.005 * x + Vector3d(1.1e-3, 1.1e-3, 1.1e-3) + 2e-5 * cluster::random_vector(random);
     dem::Specimen          specimen(packing, parameters, grains);
@@ -157,17 +170,10 @@ namespace shared_bodies
   /** Dumb-bells of two that fall into a box, each thrown and turned in its own way. */
   inline std::unique_ptr<Body> tumbling_clumps()
   {
-    dem::LinearContactParameters grains;
-    grains.effective_modulus    = 1e8;
-    grains.stiffness_ratio      = 1.5;
-    grains.friction_coefficient = 0.5;
-    dem::SpecimenParameters parameters;
-    parameters.density           = 2600;
-    parameters.interaction_ratio = 1;
-    parameters.damping           = 0.2;
-    parameters.gravity           = {0, 0, -9.81};
-    dem::Packing       packing   = cluster::cubic_lattice(8, 8, 12, 1e-3);
-    dem::UniformRandom random(4);
+    const dem::LinearContactParameters grains     = rough_grains();
+    const dem::SpecimenParameters      parameters = falling();
+    dem::Packing                       packing    = cluster::cubic_lattice(8, 8, 12, 1e-3);
+    dem::UniformRandom                 random(4);
     for (Vector3d &x : packing.centre)
       x = 1.05 * x + Vector3d(1.5e-3, 1.5e-3, 1.5e-3);
     dem::Specimen specimen(packing, parameters, grains);
@@ -217,46 +223,6 @@ namespace shared_bodies
       specimen.set_velocity(i, 200 * body.centre[i] + 800 * Vector3d(0, body.centre[i].x(), 0),
                             Vector3d(0, 0, 10.0 * static_cast<double>(i % 3)));
     return specimen;
-  }
-
-  template <typename Parameters>
-  dem::LinkMaterials twice(const Parameters &p)
-  {
-    return dem::Materials<Parameters>({{"mortar", p, 0}, {"grains", p, 0}});
-  }
-
-  inline dem::ParallelBondParameters cement()
-  {
-    dem::ParallelBondParameters p;
-    p.effective_modulus    = 10e9;
-    p.stiffness_ratio      = 2.5;
-    p.friction_coefficient = 0.3;
-    p.tensile_strength     = 0.3e6;
-    p.cohesion             = 0.9e6;
-    return p;
-  }
-
-  inline dem::ContactBondParameters spots()
-  {
-    dem::ContactBondParameters p;
-    p.effective_modulus    = 5e9;
-    p.stiffness_ratio      = 1.5;
-    p.friction_coefficient = 0.2;
-    p.tensile_strength     = 0.1e6;
-    p.cohesion             = 0.4e6;
-    return p;
-  }
-
-  inline dem::FlatJointParameters joints()
-  {
-    dem::FlatJointParameters p;
-    p.effective_modulus    = 8e9;
-    p.stiffness_ratio      = 2;
-    p.friction_coefficient = 0.2;
-    p.tensile_strength     = 0.2e6;
-    p.cohesion             = 0.6e6;
-    p.friction_angle       = 20;
-    return p;
   }
 
   /** A block of spheres between platens under servo walls. */

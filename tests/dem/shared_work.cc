@@ -22,6 +22,7 @@
 
 using Eigen::Vector3d;
 using namespace shared_bodies;
+using namespace weak_bonds;
 
 namespace
 {
@@ -105,16 +106,16 @@ namespace
   {
     const auto three_laws = [] {
       return std::make_unique<Free>(
-        thrown_apart(dem::LinkMaterials::by_pair({twice(cement()), twice(spots()), twice(joints())}, {0, 1, 2})));
+        thrown_apart(dem::LinkMaterials::by_pair({twice(parallel()), twice(point()), twice(flat())}, {0, 1, 2})));
     };
     return {{"concrete that is pulled apart", [] { return std::make_unique<Pulled>(); }, 800, 100},
             {"a cell under stresses", [] { return std::make_unique<CellUnderStress>(); }, 600, 10},
             {"grains that fall into a box", falling_grains, 600, 0},
             {"clumps that tumble", tumbling_clumps, 500, 0},
             {"three laws in two materials", three_laws, 150, 100},
-            {"flat joints", [] { return std::make_unique<Free>(thrown_apart(joints())); }, 150, 100},
+            {"flat joints", [] { return std::make_unique<Free>(thrown_apart(flat())); }, 150, 100},
             {"parallel bonds in the plane, with emission",
-             [] { return std::make_unique<Free>(thrown_apart(cement(), 2, 2)); }, 200, 100},
+             [] { return std::make_unique<Free>(thrown_apart(parallel(), 2, 2)); }, 200, 100},
             {"a block under servo walls", [] { return std::make_unique<Confined>(); }, 300, 0}};
   }
 
@@ -203,7 +204,7 @@ TEST_CASE("a particle linked to its own image, and more ranks than bricks", "[de
 TEST_CASE("what a link does depends on no other link in its pack", "[dem][ranks]")
 {
   omp_set_num_threads(1);
-  const dem::LinkMaterials all[] = {cluster::concrete(), cement(), spots(), joints()};
+  const dem::LinkMaterials all[] = {cluster::concrete(), parallel(), point(), flat()};
   for (const dem::LinkMaterials &materials : all)
     {
       dem::SpecimenParameters p  = cluster::bonded(1.2);

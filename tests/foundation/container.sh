@@ -14,14 +14,14 @@ if ! "$tool" pull --quiet "$base"; then
   exit 77
 fi
 rm -rf "$scratch"
-mkdir -p "$scratch/packages" "$scratch/work"
+mkdir -p "$scratch/packages" "$scratch/scenes"
 cpack -G DEB --config "$build/CPackConfig.cmake" -B "$scratch/packages" > "$scratch/cpack.log" || { cat "$scratch/cpack.log"; exit 1; }
 image=breccia-test-$$
 "$tool" build --quiet -t "$image" -f "$source/container/Containerfile" "$scratch/packages"
 trap '"$tool" rmi --force "$image" > /dev/null' EXIT
 "$tool" run --rm "$image" --version
-cp "$source/apps/scenes/bouncing_sphere.prm" "$scratch/work"
-"$tool" run --rm -v "$scratch/work:/work" "$image" run bouncing_sphere.prm -o out
-test -s "$scratch/work/out/summary.json"
-test -s "$scratch/work/out/curve.png"
+cp "$source/apps/scenes/bouncing_sphere.prm" "$scratch/scenes"
+"$tool" run --rm -v "$scratch/scenes:/scenes" "$image" run bouncing_sphere.prm -o out
+test -s "$scratch/scenes/out/summary.json"
+test -s "$scratch/scenes/out/curve.png"
 rm -rf "$scratch"
