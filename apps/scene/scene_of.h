@@ -46,8 +46,7 @@ namespace apps
   template <typename Model> // of a model that has no particles to share out
   std::string forecast_of_ranks(const Model &, std::size_t, long)
   {
-    throw base::InputError("--ranks: scenes of this kind have no particles that are shared out. Those of kind cell, "
-                           "particles and uniaxial have.");
+    throw base::InputError("--ranks: shares are forecast for scenes of kind cell, particles and uniaxial only.");
   }
 
   /**

@@ -183,7 +183,7 @@ namespace coupling
         forces.emplace(contact.particle, Eigen::Vector3d::Zero()).first->second += contact.force;
     double sum = 0;
     for (const auto &[particle, force] : forces)
-      sum += 0.5 * force.squaredNorm() / specimen.particle(particle).mass;
+      sum += 0.5 * force.squaredNorm() / specimen.mass(particle);
     return sum;
   }
 

@@ -25,7 +25,7 @@ namespace coupling
     return specimen.particle(carrier).velocity;
   }
 
-  double ParticleParticipant::mass(const std::size_t carrier) const { return specimen.particle(carrier).mass; }
+  double ParticleParticipant::mass(const std::size_t carrier) const { return specimen.mass(carrier); }
 
   double ParticleParticipant::time() const { return specimen.time(); }
 

@@ -99,6 +99,13 @@ namespace dem
     void gather();
     /** Before contacts, lists or overlaps are looked for: where all particles are. */
     void gather_places();
+    void gather_glide();
+    /** Before one is looked at, by its number in the particles' order. */
+    void gather_particle(std::int32_t particle);
+    /** In the particles' order, ascending. */
+    std::vector<std::int32_t> corrected_by(const StepPartner &partner) const;
+    /** Of what each rank has found among its own particles. */
+    double largest_of_all(double own) const;
     /** Particles that surfaces read in every step, ascending. */
     std::vector<std::int32_t> read_by_surfaces() const;
     /** Keep the step, with its factor, below the stable ones of some particles. */
@@ -228,8 +235,6 @@ namespace dem
     std::pair<std::size_t, std::size_t> own_particles() const;
     /** Whether other ranks do a part of the work already; all do all before the first step. */
     bool shares() const { return shared && shared->planned(); }
-    /** @throws base::InputError */
-    void refuse_on_ranks(const char *what) const;
     /** Share out with other ranks what is to be, before links are updated. */
     void share_out();
     /** Blocks of particles that this process moves. */

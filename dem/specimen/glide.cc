@@ -12,13 +12,14 @@ namespace dem
 {
   void SpecimenCore::begin_glide()
   {
-    refuse_on_ranks("Steps of surfaces within those of particles");
     if (surfaces.viscous())
       throw base::InputError(
         "Surfaces take no steps of their own within those of particles where their contacts have a "
         "restitution below 1. Let both sides take the same steps.");
     if (step_count == 0)
       begin();
+    if (shares())
+      shared->share_velocities(particles, read_by_surfaces());
     before_glide      = surfaces.energies(shape, particles);
     gliding           = {};
     gliding.under_way = true;
@@ -36,8 +37,9 @@ namespace dem
   /** Put particles to where they have glided since they began [s]. @return their largest displacement on the way from where they were [m] */
   double SpecimenCore::place_gliding(const double since)
   {
-    const double step    = since - gliding.glided;
-    double       largest = 0;
+    const double step        = since - gliding.glided;
+    const auto [first, last] = own_particles();
+    double largest           = 0;
 #pragma omp parallel for schedule(static) reduction(max : largest)
     for (std::size_t i = 0; i < particles.count; ++i)
       {
@@ -48,9 +50,12 @@ namespace dem
         for (int c = 0; c < 6; ++c)
           motion[c] = step * rate[c];
         set_arm_turn(pose, motion);
-        largest = std::max(largest, Eigen::Vector3d(motion).squaredNorm());
+        if (i >= first && i < last)
+          largest = std::max(largest, Eigen::Vector3d(motion).squaredNorm());
       }
-    return std::sqrt(largest);
+    if (shares())
+      shared->places_changed();
+    return std::sqrt(largest_of_all(largest));
   }
 
   void SpecimenCore::glide(const double step, const double kick)
@@ -69,17 +74,19 @@ namespace dem
   /** What surfaces do not know yet of the particles' motion, now that they have taken their own step from where they began. */
   void SpecimenCore::keep_unseen()
   {
-    unseen         = particles.motion;
-    double largest = 0;
+    unseen                   = particles.motion;
+    const auto [first, last] = own_particles();
+    double largest           = 0;
     for (std::size_t i = 0; i < particles.count; ++i)
       {
         const std::size_t at = record_size * i;
         for (std::size_t c = 0; c < 6; ++c)
           unseen[at + c] -= gliding.looked * gliding.velocity[at + c];
         const Eigen::Vector3d here(&particles.pose[at]), glided_to(&gliding.pose[at]);
-        largest = std::max(largest, (here - glided_to).squaredNorm());
+        if (i >= first && i < last)
+          largest = std::max(largest, (here - glided_to).squaredNorm());
       }
-    surfaces.particles_moved(std::sqrt(largest));
+    surfaces.particles_moved(std::sqrt(largest_of_all(largest)));
   }
 
   void SpecimenCore::finish_glide()
@@ -96,6 +103,8 @@ namespace dem
     find_link_forces();
     const StepHalves halves = next_halves();
     move_particles(halves, gliding.pushes.mean(particles.count, halves.before + halves.after), !gliding.pushes.empty());
+    if (shares())
+      shared->share_velocities(particles, read_by_surfaces());
     keep_unseen();
     gliding.pushes.add_work(surfaces, unseen);
     const auto made =

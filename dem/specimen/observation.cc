@@ -90,7 +90,7 @@ namespace dem
 
   ParticleState ObservedSpecimen::particle(const std::size_t number) const
   {
-    self->gather();
+    self->gather_particle(self->slot.at(number));
     const Particles &p = self->particles;
     const auto       i = static_cast<std::size_t>(self->slot.at(number));
     const double    *v = &p.velocity[record_size * i];
@@ -98,6 +98,11 @@ namespace dem
             Eigen::Vector3d(v), Eigen::Vector3d(v + 3),
             p.radius_of(i),     self->mass_of(i),
             p.inertia[i],       held_axes(&p.inverse_mass[record_size * i])};
+  }
+
+  double ObservedSpecimen::mass(const std::size_t particle) const
+  {
+    return self->mass_of(static_cast<std::size_t>(self->slot.at(particle)));
   }
 
   double ObservedSpecimen::stiffness_around(const std::size_t number) const

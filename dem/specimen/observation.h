@@ -44,6 +44,7 @@ namespace dem
     std::size_t           bytes() const;  ///< memory held by particles, links and contacts
 
     ParticleState   particle(std::size_t number) const; ///< by packing number
+    double          mass(std::size_t particle) const;   ///< likewise; of a pebble its part of its clump's [kg]
     ParticleOutput  particles() const;
     LinkOutput      links() const;
     Eigen::Vector3d displacement(std::size_t particle) const; ///< of a particle, by packing number, since the start [m]

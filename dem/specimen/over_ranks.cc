@@ -1,11 +1,9 @@
 // What a specimen does otherwise where other ranks share its work (doc/theory/ranks.md, 3).
 
-#include "base/errors.h"
 #include "dem/specimen/core.h"
 
 #include <algorithm>
 #include <limits>
-#include <string>
 
 namespace dem
 {
@@ -14,21 +12,48 @@ namespace dem
     if (!shared)
       return;
     shared->gather_particles(particles);
+    gather_glide();
     shared->gather_bonds(bonds);
     shared->gather_contacts(contacts);
   }
 
   void SpecimenCore::gather_places()
   {
-    if (shared)
-      shared->gather_places(particles);
+    if (!shared)
+      return;
+    shared->gather_places(particles);
+    gather_glide();
   }
 
-  void SpecimenCore::refuse_on_ranks(const char *what) const
+  /** What is remembered of particles on the way through a glide, and since one. */
+  void SpecimenCore::gather_glide()
   {
-    if (shared)
-      throw base::InputError(std::string(what) + ": not on several ranks (mpirun). Start one process.");
+    if (!shares())
+      return;
+    if (gliding.under_way)
+      for (base::Column *column : {&gliding.pose, &gliding.motion, &gliding.velocity})
+        shared->gather_column(*column);
+    if (!unseen.empty())
+      shared->gather_column(unseen);
   }
+
+  void SpecimenCore::gather_particle(const std::int32_t particle)
+  {
+    if (shares() && !shared->knows(particle))
+      shared->gather_particles(particles);
+  }
+
+  std::vector<std::int32_t> SpecimenCore::corrected_by(const StepPartner &partner) const
+  {
+    std::vector<std::int32_t> some;
+    for (const std::size_t number : *partner.particles)
+      some.push_back(slot.at(number));
+    std::sort(some.begin(), some.end());
+    some.erase(std::unique(some.begin(), some.end()), some.end());
+    return some;
+  }
+
+  double SpecimenCore::largest_of_all(const double own) const { return shares() ? shared->largest(own) : own; }
 
   void SpecimenCore::shorten_step_for(const std::vector<std::int32_t> &some)
   {

@@ -108,7 +108,6 @@ namespace dem
   {
     if (core->parameters.physics.periodic)
       throw base::InputError("Corrections: a periodic cell has no place for a partner's body.");
-    core->refuse_on_ranks("Corrections of a step");
     if (core->step_count == 0)
       core->begin();
     core->step({&particles, &correct});
@@ -133,10 +132,10 @@ namespace dem
 
   void Partners::apply_impulse(const std::size_t number, const Eigen::Vector3d &change, const Eigen::Vector3d &spin)
   {
-    core->refuse_on_ranks("Impulses on particles");
-    Particles            &p    = core->particles;
-    const auto            slot = core->slot.at(number);
-    const auto            at   = record_size * static_cast<std::size_t>(slot);
+    Particles &p    = core->particles;
+    const auto slot = core->slot.at(number);
+    core->gather_particle(slot);
+    const auto            at = record_size * static_cast<std::size_t>(slot);
     std::array<double, 6> kick{};
     for (int c = 0; c < 6; ++c)
       if (p.inverse_mass[at + c] > 0) // what is prescribed stays so

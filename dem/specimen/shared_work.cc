@@ -127,6 +127,7 @@ namespace dem
                                 const std::vector<std::int32_t>   &by_all)
   {
     places_stale = rates_stale = true;
+    known.clear();
     std::vector<std::size_t> begin;
     for (const std::size_t brick : brick_begin)
       begin.push_back(brick * sizeof(ParticleBlockAccount));
@@ -150,6 +151,24 @@ namespace dem
   {
     if (!of.empty())
       gather_records({&particles.force}, of);
+  }
+
+  void SharedWork::share_velocities(Particles &particles, const std::vector<std::int32_t> &of)
+  {
+    if (!of.empty())
+      gather_records({&particles.velocity}, of);
+  }
+
+  void SharedWork::share_states(Particles &particles, const std::vector<std::int32_t> &of)
+  {
+    if (!of.empty())
+      gather_records({&particles.pose, &particles.motion, &particles.velocity, &particles.force}, of);
+    known = of;
+  }
+
+  bool SharedWork::knows(const std::int32_t particle) const
+  {
+    return std::binary_search(known.begin(), known.end(), particle);
   }
 
   // --- To look at all of it ---
@@ -177,11 +196,16 @@ namespace dem
   {
     if (!std::exchange(places_stale, false))
       return;
+    gather_column(particles.pose);
+    gather_column(particles.motion);
+  }
+
+  void SharedWork::gather_column(base::Column &records)
+  {
     std::vector<std::size_t> begin;
     for (const std::int32_t particle : particle_begin)
       begin.push_back(static_cast<std::size_t>(particle) * record_size * sizeof(double));
-    gather(particles.pose.data(), begin);
-    gather(particles.motion.data(), begin);
+    gather(records.data(), begin);
   }
 
   void SharedWork::gather_particles(Particles &particles)
@@ -189,11 +213,8 @@ namespace dem
     gather_places(particles);
     if (!std::exchange(rates_stale, false))
       return;
-    std::vector<std::size_t> begin;
-    for (const std::int32_t particle : particle_begin)
-      begin.push_back(static_cast<std::size_t>(particle) * record_size * sizeof(double));
-    gather(particles.velocity.data(), begin);
-    gather(particles.force.data(), begin);
+    gather_column(particles.velocity);
+    gather_column(particles.force);
   }
 
   void SharedWork::gather_blocks(void *column, const std::size_t bytes_of_block, const SetShare &share)

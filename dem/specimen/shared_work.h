@@ -53,13 +53,21 @@ namespace dem
                       std::vector<ParticleBlockAccount> &accounts,
                       const std::vector<std::int32_t>   &by_all);
     /** Forces and moments on some particles. @param of ascending */
-    void   share_forces(Particles &particles, const std::vector<std::int32_t> &of);
+    void share_forces(Particles &particles, const std::vector<std::int32_t> &of);
+    void share_velocities(Particles &particles, const std::vector<std::int32_t> &of);
+    /** Places, motions, velocities and forces: all know these particles until others move. @param of ascending */
+    void   share_states(Particles &particles, const std::vector<std::int32_t> &of);
+    bool   knows(std::int32_t particle) const;
     double largest(double number) const;
     double least(const double number) const { return -largest(-number); }
 
     // --- To look at all of it ---
 
     void gather_places(Particles &particles); ///< and the motion of the last step
+    /** Particles were put elsewhere, each by its own rank at least. */
+    void places_changed() { places_stale = true; }
+    /** One record of each particle. */
+    void gather_column(base::Column &records);
     void gather_particles(Particles &particles);
     void gather_bonds(LinkSet &links) { gather_links(links, of_bonds); }
     void gather_contacts(LinkSet &links) { gather_links(links, of_contacts); }
@@ -96,6 +104,7 @@ namespace dem
     SetShare                               of_bonds, of_contacts;
     std::vector<std::vector<std::int32_t>> sent, ghosts; ///< particles that each other rank needs, and has for this one
     std::vector<RankMessage>               out, in;      ///< with their places and motions
+    std::vector<std::int32_t>              known;        ///< particles of which all have the state, ascending
     bool                                   places_stale = false, rates_stale = false;
     std::int64_t                           messages = 0, bytes = 0;
   };

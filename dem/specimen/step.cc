@@ -67,6 +67,9 @@ namespace dem
   {
     if (touched && particles.pushed.empty())
       particles.pushed.assign(record_size * particles.count, 0.0);
+    std::vector<std::int32_t> corrected_ones;
+    if (partner.particles && shares())
+      shared->share_velocities(particles, corrected_ones = corrected_by(partner));
     if (partner.particles)
       enter_velocities(partner, before_step);
     select_particle_pass(contacts.alive > 0, parameters.damping > 0, equal_radii, moments(), surroundings(touched))(
@@ -77,6 +80,8 @@ namespace dem
       shared->share_motion(particles, accounts, read_by_surfaces());
     if (!partner.particles)
       return account(halves);
+    if (shared)
+      shared->share_states(particles, corrected_ones);
     const auto work = let_correct(halves, partner);
     account(halves);
     book.work.now += work[0];
@@ -131,7 +136,10 @@ namespace dem
         book.work.after += block.pushing_after;
       }
     if (shared)
-      shared->share_forces(particles, held.members());
+      {
+        shared->share_forces(particles, held.members());
+        shared->share_forces(particles, kicks.particles());
+      }
     book.work.now += kicks.work(particles, halves.before);
     kicks.clear();
     held.sum_forces(particles);

@@ -73,10 +73,10 @@ namespace dem
     const bool glides = gliding.under_way && gliding.looked < gliding.glided;
     if (glides) // forces that were found before have worked until here, and new ones from half of the way on
       gliding.pushes.add_work(surfaces, particles.motion);
-    const UnseenMotion shown(particles, gliding.under_way ? nullptr : &unseen);
-    const double       per_second = last_step > 0 ? 1 / last_step : 0.0;
     if (surfaces.near_facets().reads_all())
       gather_places();
+    const UnseenMotion shown(particles, gliding.under_way ? nullptr : &unseen);
+    const double       per_second = last_step > 0 ? 1 / last_step : 0.0;
     shorten_step_for(surfaces.find_forces(particles, shape, per_second));
     time_step = std::min(time_step, longest_step);
     log_torn_glue();

@@ -1,5 +1,7 @@
 #include "dem/specimen/velocity_kicks.h"
 
+#include <algorithm>
+
 namespace dem
 {
   double force_without_push(const Particles &particles, const std::int32_t i, const int c)
@@ -18,6 +20,14 @@ namespace dem
   {
     particle.clear();
     change.clear();
+  }
+
+  std::vector<std::int32_t> VelocityKicks::particles() const
+  {
+    std::vector<std::int32_t> all = particle;
+    std::sort(all.begin(), all.end());
+    all.erase(std::unique(all.begin(), all.end()), all.end());
+    return all;
   }
 
   double VelocityKicks::work(const Particles &particles, const double half_step) const

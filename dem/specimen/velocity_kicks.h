@@ -19,7 +19,9 @@ namespace dem
     /** @param change of the velocity [m/s] and the spin [rad/s] */
     void add(std::int32_t particle, const std::array<double, 6> &change);
     void clear();
-    bool empty() const { return particle.empty(); }
+    /** Which have been kicked, ascending. */
+    std::vector<std::int32_t> particles() const;
+    bool                      empty() const { return particle.empty(); }
     /**
      * Work of the forces at t_n on what was changed, over the half step before t_n [J]. Without the push: the particle pass has counted
      * its work with the changed velocity already.

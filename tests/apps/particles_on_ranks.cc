@@ -79,6 +79,25 @@ namespace
         CHECK(summary_of(folder / name)["ranks"].size() == static_cast<std::size_t>(ranks));
       }
   }
+
+  /** Interrupted on three ranks, a run goes on on one and on five to what it gives without. */
+  void goes_on_on_others(const std::string &words)
+  {
+    const ScratchFolder folder;
+    REQUIRE(shell_in(folder, program_on(0, 1) + words + " -o whole") == 0);
+    shell_in(folder, program_on(3, 1, noting_its_process) + words +
+                       " -o results & while kill -0 $! && [ ! -e results/running/checkpoint.h5 ]; do sleep 0.01; "
+                       "done; " +
+                       interrupt_noted + "; wait $!");
+    INFO(content_of(folder / "said"));
+    REQUIRE_FALSE(std::filesystem::exists(folder / "results/summary.json"));
+    CHECK_THAT(content_of(folder / "said"), Contains("state saved"));
+    std::filesystem::copy(folder / "results", folder / "others", std::filesystem::copy_options::recursive);
+    REQUIRE(shell_in(folder, program_on(0, 2) + words + " -o results --resume") == 0);
+    CHECK(differences(folder / "whole", folder / "results") == std::vector<std::string>());
+    REQUIRE(shell_in(folder, program_on(5, 1) + words + " -o others --resume") == 0);
+    CHECK(differences(folder / "whole", folder / "others") == std::vector<std::string>());
+  }
 } // namespace
 
 TEST_CASE("A cell has the same results on one rank and on three", "[apps][mpi][ranks]")
@@ -111,25 +130,41 @@ TEST_CASE("Pressed spheres, rocks and bodies that tumble have the same results o
     }
 }
 
+TEST_CASE(
+  "Particles beside solids have the same results on ranks: surfaces in the same steps and in several, glue, handshakes",
+  "[apps][mpi][ranks][slow]")
+{
+  if (places::skipped_without_mpirun())
+    return;
+  for (const char *scene : {"beam_and_spheres.prm", "drop_weight.prm", "plate_impact.prm", "beam_with_core.prm"})
+    {
+      INFO(scene);
+      const ScratchFolder folder;
+      same_on_ranks(folder, run_of(scene), {{{3, 1}}});
+    }
+}
+
+TEST_CASE("Solids of cells beside particles refuse mpirun in one message", "[apps][mpi][ranks]")
+{
+  if (places::skipped_without_mpirun())
+    return;
+  const ScratchFolder folder;
+  CHECK(shell_in(folder, program_on(2, 1) + run_of("cells_under_ball.prm") + " -o results") != 0);
+  const std::string said = content_of(folder / "said");
+  CHECK(occurrences("runs in one process, and mpirun has started 2", said) == 1);
+  CHECK_FALSE(std::filesystem::exists(folder / "results"));
+}
+
 TEST_CASE("A run that was interrupted on three ranks goes on on one, and on five, to the same results",
           "[apps][mpi][ranks][slow][S13]")
 {
   if (places::skipped_without_mpirun())
     return;
-  const ScratchFolder folder;
-  const std::string   words = small_concrete() + " -s 'Output/Checkpoint interval=0.01'";
-  REQUIRE(shell_in(folder, program_on(0, 1) + words + " -o whole") == 0);
-  shell_in(folder, program_on(3, 1, noting_its_process) + words +
-                     " -o results & while kill -0 $! && [ ! -e results/running/checkpoint.h5 ]; do sleep 0.01; done; " +
-                     interrupt_noted + "; wait $!");
-  INFO(content_of(folder / "said"));
-  REQUIRE_FALSE(std::filesystem::exists(folder / "results/summary.json"));
-  CHECK_THAT(content_of(folder / "said"), Contains("state saved"));
-  std::filesystem::copy(folder / "results", folder / "others", std::filesystem::copy_options::recursive);
-  REQUIRE(shell_in(folder, program_on(0, 2) + words + " -o results --resume") == 0);
-  CHECK(differences(folder / "whole", folder / "results") == std::vector<std::string>());
-  REQUIRE(shell_in(folder, program_on(5, 1) + words + " -o others --resume") == 0);
-  CHECK(differences(folder / "whole", folder / "others") == std::vector<std::string>());
+  for (const std::string &scene : {small_concrete(), run_of("drop_weight.prm")})
+    {
+      INFO(scene);
+      goes_on_on_others(scene + " -s 'Output/Checkpoint interval=0.01'");
+    }
 }
 
 TEST_CASE("Where the first rank cannot write, all ranks are gone in a moment with one message",

@@ -16,8 +16,10 @@
 #include "laboratory_fixture.h"
 #include "weak_bonds.h"
 
+#include <cmath>
 #include <functional>
 #include <memory>
+#include <vector>
 
 /** Specimens of all sorts on their way through a test, for tests of what must not change them. */
 namespace shared_bodies
@@ -224,6 +226,70 @@ namespace shared_bodies
                             Vector3d(0, 0, 10.0 * static_cast<double>(i % 3)));
     return specimen;
   }
+
+  /** A partner slows particles down by the force on them, moves some that were left to it, kicks others and pushes one. */
+  struct Partnered : Body
+  {
+    Partnered()
+      : own(thrown_apart(weak_bonds::parallel()))
+    {
+      for (std::size_t i = 0; i < own.counts().particles; i += 3)
+        watched.push_back(i);
+      own.partners().leave({watched[10], watched[20]}, true);
+    }
+    dem::Specimen &specimen() override { return own; }
+    void           advance(const std::int64_t steps) override
+    {
+      for (std::int64_t s = 0; s < steps; ++s)
+        {
+          if (own.steps() % 10 == 5)
+            own.partners().apply_impulse(3 * static_cast<std::size_t>(own.steps() % 200) + 1, Vector3d(0.1, -0.2, 0.3),
+                                         Vector3d(5, 0, -5));
+          own.partners().clear_forces();
+          own.partners().add_force(400, Vector3d(0, 0.01, 0), Vector3d(0, 0, 1e-6));
+          own.partners().advance(watched, correct);
+        }
+    }
+    static void correct(dem::StepCorrection &correction)
+    {
+      for (std::size_t k = 0; k < correction.particles.size(); ++k)
+        for (std::size_t c = 0; c < 6; ++c)
+          correction.velocity[6 * k + c] =
+            k == 10 || k == 20 ? 0.01 : 0.999 * correction.velocity[6 * k + c] + 1e-3 * correction.force(k)[c];
+    }
+    dem::Specimen            own;
+    std::vector<std::size_t> watched;
+  };
+
+  /** Grains in a box that takes three steps in one of theirs, as finite elements would. */
+  struct InShakenBox : Body
+  {
+    dem::Specimen &specimen() override { return grains->specimen(); }
+    void           advance(const std::int64_t steps) override
+    {
+      constexpr int  sub_steps = 3;
+      dem::Specimen &own       = specimen();
+      for (std::int64_t s = 0; s < steps; ++s)
+        {
+          own.partners().find_surface_forces();
+          const double step = own.longest_step() / sub_steps;
+          own.set_time_step(sub_steps * step);
+          own.partners().begin_glide();
+          for (int taken = 0; taken < sub_steps; ++taken)
+            {
+              if (taken > 0)
+                own.partners().find_surface_forces();
+              const double turn = 1e4 * (own.time() + taken * step);
+              own.surfaces().set_vertex_velocities(
+                0,
+                std::vector<Vector3d>(own.surfaces().at(0).place.size(), Vector3d(std::cos(turn), 0, std::sin(turn))));
+              own.partners().glide(step, step);
+            }
+          own.partners().finish_glide();
+        }
+    }
+    std::unique_ptr<Body> grains = falling_grains();
+  };
 
   /** A block of spheres between platens under servo walls. */
   struct Confined : Body

@@ -116,7 +116,9 @@ namespace
             {"flat joints", [] { return std::make_unique<Free>(thrown_apart(flat())); }, 150, 100},
             {"parallel bonds in the plane, with emission",
              [] { return std::make_unique<Free>(thrown_apart(parallel(), 2, 2)); }, 200, 100},
-            {"a block under servo walls", [] { return std::make_unique<Confined>(); }, 300, 0}};
+            {"a block under servo walls", [] { return std::make_unique<Confined>(); }, 300, 0},
+            {"bonds beside a partner", [] { return std::make_unique<Partnered>(); }, 150, 100},
+            {"grains in a box that takes steps of its own", [] { return std::make_unique<InShakenBox>(); }, 150, 0}};
   }
 
   struct Way
@@ -268,14 +270,4 @@ TEST_CASE("where one rank finds no number, all stop by the same words", "[dem][r
   });
   CHECK_THAT(words[0], Catch::Contains("no longer has a finite velocity"));
   CHECK(words == std::vector<std::string>(3, words[0]));
-}
-
-TEST_CASE("what ranks cannot share is refused", "[dem][ranks]")
-{
-  rank_threads::run(1, [&](const std::shared_ptr<dem::Ranks> &ranks) {
-    dem::Specimen coupled(bar(300), cluster::bonded(1.5), cluster::concrete());
-    coupled.share_among(ranks);
-    CHECK_THROWS_WITH(coupled.partners().apply_impulse(0, Vector3d::UnitX(), Vector3d::Zero()),
-                      Catch::Contains("not on several ranks"));
-  });
 }

@@ -79,11 +79,18 @@ namespace apps
     require_upright_names(*this, body_force_at_once(*this));
   }
 
-  MPI_Comm ContinuumModel::ranks_of_mesh() const
+  ContinuumModel ContinuumModel::of_each_rank()
+  {
+    ContinuumModel model;
+    model.spread = false;
+    return model;
+  }
+
+  bool ContinuumModel::has_cells() const
   {
     return std::any_of(materials.groups.begin(), materials.groups.end(),
-                       [](const auto &group) { return group->cells() != nullptr; }) ?
-             MPI_COMM_SELF :
-             MPI_COMM_WORLD;
+                       [](const auto &group) { return group->cells() != nullptr; });
   }
+
+  MPI_Comm ContinuumModel::ranks_of_mesh() const { return spread && !has_cells() ? MPI_COMM_WORLD : MPI_COMM_SELF; }
 } // namespace apps

@@ -91,15 +91,21 @@ namespace apps
     ContactsSection        contacts;
     ReferencesSection      references;
     ContinuumOutputSection output;
+    bool                   spread = true; ///< over ranks; otherwise each has all of it
+
+    /** Of a solid beside something that each rank has whole. */
+    static ContinuumModel of_each_rank();
 
     /** Rules between entries. @throws base::InputError. */
     void check(const base::EntryPath &root) const;
     void check_as_part(const base::EntryPath &root) const;
     void check_as_static_part(const base::EntryPath &root) const;
 
+    /** Whether some of its points are cells of particles. */
+    bool has_cells() const;
     bool is_static() const { return solid.analysis == SolidSection::Analysis::statics; }
 
-    /** Ranks over which the mesh is spread. With cells each has all of it, and the cells alone are spread: the same bits for any number. */
+    /** Ranks over which the mesh is spread, if it is. With cells each has all of it, and the cells alone are spread: the same bits for any number. */
     MPI_Comm ranks_of_mesh() const;
   };
 } // namespace apps

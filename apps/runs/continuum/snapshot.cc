@@ -12,6 +12,21 @@
 
 namespace apps
 {
+  namespace
+  {
+    std::string stem_of(const SnapshotPlace &place) { return fmt::format("{}_{:06}", place.name, place.number); }
+  } // namespace
+
+  template <int dim>
+  void write_whole_solid(fem::Solid<dim>     &solid,
+                         const fem::Vector   &displacement,
+                         const fem::Vector   &reaction,
+                         const SnapshotPlace &place)
+  {
+    postprocess::write_vtk_solid(place.folder / (stem_of(place) + ".vtu"),
+                                 fem::take_snapshot(solid, displacement, reaction), place.time);
+  }
+
   template <int dim>
   std::string write_solid(fem::Solid<dim>     &solid,
                           const fem::Vector   &displacement,
@@ -21,7 +36,7 @@ namespace apps
     const fem::SolidSnapshot snapshot = fem::take_snapshot(solid, displacement, reaction);
     const unsigned int       ranks    = dealii::Utilities::MPI::n_mpi_processes(solid.communicator()),
                        rank           = dealii::Utilities::MPI::this_mpi_process(solid.communicator());
-    const std::string        stem     = fmt::format("{}_{:06}", place.name, place.number);
+    const std::string        stem     = stem_of(place);
     std::vector<std::string> pieces;
     for (unsigned int r = 0; r < ranks; ++r)
       pieces.push_back(ranks > 1 ? fmt::format("{}.{}.vtu", stem, r) : stem + ".vtu");
@@ -42,6 +57,8 @@ namespace apps
     return ranks > 1 ? stem + ".pvtu" : pieces.front();
   }
 
+  template void write_whole_solid(fem::Solid<2> &, const fem::Vector &, const fem::Vector &, const SnapshotPlace &);
+  template void write_whole_solid(fem::Solid<3> &, const fem::Vector &, const fem::Vector &, const SnapshotPlace &);
   template std::string write_solid(fem::Solid<2> &, const fem::Vector &, const fem::Vector &, const SnapshotPlace &);
   template std::string write_solid(fem::Solid<3> &, const fem::Vector &, const fem::Vector &, const SnapshotPlace &);
 } // namespace apps

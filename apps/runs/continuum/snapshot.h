@@ -28,4 +28,11 @@ namespace apps
                           const fem::Vector   &displacement,
                           const fem::Vector   &reaction,
                           const SnapshotPlace &place);
+
+  /** The same of a solid that every rank has whole, by one of them: FOLDER/NAME_000012.vtu. @throws postprocess::OutputError */
+  template <int dim>
+  void write_whole_solid(fem::Solid<dim>     &solid,
+                         const fem::Vector   &displacement,
+                         const fem::Vector   &reaction,
+                         const SnapshotPlace &place);
 } // namespace apps

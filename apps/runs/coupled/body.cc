@@ -1,6 +1,6 @@
 #include "apps/runs/coupled/body.h"
 
-#include "apps/process/interrupt.h"
+#include "apps/process/mpi_session.h"
 #include "apps/results/run_work.h"
 #include "apps/runs/continuum/contacts.h"
 #include "apps/runs/continuum/motion.h"
@@ -96,7 +96,7 @@ namespace apps
         std::int64_t taken = 0;
         do
           step(end - time());
-        while (++taken < most && time() < end * (1 - 1e-12) && !interrupted());
+        while (++taken < most && time() < end * (1 - 1e-12) && !interrupted_on_any_rank());
       }
 
       void advance(const std::int64_t count) override
@@ -294,12 +294,12 @@ namespace apps
         return text;
       }
 
-      std::string write_solid(const std::filesystem::path &folder, const std::size_t number) override
+      void write_solid(const std::filesystem::path &folder, const std::size_t number) override
       {
         fem::Vector reaction = motion->internal_force();
         reaction -= motion->external_force();
         reaction.update_ghost_values();
-        return apps::write_solid(*solid, motion->displacement(), reaction, {folder / "solid", "solid", number, time()});
+        write_whole_solid(*solid, motion->displacement(), reaction, {folder / "solid", "solid", number, time()});
       }
 
       std::vector<std::string> notes() const override { return solid->notes(); }

@@ -78,8 +78,8 @@ namespace apps
     /** Lines of a forecast: where particles lie inside the solid. */
     virtual std::string text_of_handshakes() const = 0;
 
-    /** @param number of the snapshot. @return name of its file in the folder. @throws postprocess::OutputError */
-    virtual std::string write_solid(const std::filesystem::path &folder, std::size_t number) = 0;
+    /** @param number of the snapshot. @throws postprocess::OutputError */
+    virtual void write_solid(const std::filesystem::path &folder, std::size_t number) = 0;
 
     /** What a user should know of the solid's points, one sentence each. */
     virtual std::vector<std::string> notes() const = 0;

@@ -15,7 +15,7 @@ namespace apps
   /** Everything that a scene of kind "coupled" says. */
   struct CoupledModel
   {
-    ContinuumModel    continuum;
+    ContinuumModel    continuum = ContinuumModel::of_each_rank();
     ParticlesModel    particles; ///< its course (time, gravity, stops, output) is that of all
     CouplingsSection  couplings;
     HandshakesSection handshakes;

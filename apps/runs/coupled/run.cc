@@ -11,6 +11,7 @@
 #include "apps/runs/particles/break_results.h"
 #include "apps/specimens/left_out_of_balance.h"
 #include "apps/specimens/specimen_packing.h"
+#include "base/errors.h"
 #include "dem/observation/discrete_state.h"
 #include "postprocess/hdf5/discrete_state_hdf5.h"
 
@@ -190,6 +191,10 @@ namespace apps
   RunResult run(const CoupledModel &model, const RunRequest &request)
   {
     start_mpi();
+    if (rank_count() > 1 && model.continuum.has_cells())
+      throw base::InputError(fmt::format("Materials: a solid of cells beside particles runs in one process, and mpirun "
+                                         "has started {}. Use --threads.",
+                                         rank_count()));
     return CoupledRun(request, model).execute();
   }
 } // namespace apps

@@ -39,6 +39,7 @@ namespace apps
   private:
     void                                   prepare() override;
     void                                   reopen(const std::filesystem::path &folder) override;
+    bool                                   whole_on_each_rank() const override { return true; }
     void                                   keep_files(const std::filesystem::path &folder, bool fresh) override;
     void                                   begin(const Record &record) override;
     void                                   visit_state(RunState &state) override;

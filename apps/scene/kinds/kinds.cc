@@ -62,7 +62,7 @@ namespace apps
       static std::vector<SceneKind> kinds = {
         {"cell", "a periodic cell led in time along a path of strains and stresses", make_scene<CellModel, true>},
         {"continuum", "a solid of finite elements, static past its peak or explicit", make_scene<ContinuumModel, true>},
-        {"coupled", "particles and a solid of finite elements that touch, in motion", make_scene<CoupledModel>},
+        {"coupled", "particles and a solid of finite elements that touch, in motion", make_scene<CoupledModel, true>},
         {"homogenisation", "macroscopic stiffness of periodic packings, swept over link parameters",
          make_scene<HomogenisationModel>},
         {"particles", "specimens and loose particles, bonded or not, moved and thrown by formula",
