@@ -1,5 +1,6 @@
 #include "apps/bench/multiscale.h"
 
+#include "apps/bench/concrete_links.h"
 #include "apps/bench/results.h"
 #include "apps/bench/scene_variant.h"
 #include "apps/process/mpi_session.h"
@@ -231,18 +232,6 @@ namespace apps
       packing.radius = 1e-3;
       packing.count  = particles;
       return compact_with_progress(packing).packing;
-    }
-
-    dem::CpmParameters concrete_links()
-    {
-      dem::CpmParameters law;
-      law.normal_modulus       = 25e9;
-      law.shear_ratio          = 0.2;
-      law.limit_elastic_strain = 1e-4;
-      law.relative_ductility   = 30;
-      law.cohesion             = 3e6;
-      law.friction_coefficient = 0.8;
-      return law;
     }
 
     base::Voigt pulled(const double size) { return (base::Voigt() << 1, -0.2, -0.2, 0, 0, 0).finished() * size; }

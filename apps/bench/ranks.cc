@@ -1,5 +1,6 @@
 #include "apps/bench/ranks.h"
 
+#include "apps/bench/concrete_links.h"
 #include "apps/bench/results.h"
 #include "apps/forecasts/duration.h"
 #include "apps/process/exit_status.h"
@@ -95,20 +96,13 @@ namespace apps
 
     dem::Specimen cube_of_lattice(const int cells)
     {
-      dem::CpmParameters concrete;
-      concrete.normal_modulus       = 25e9;
-      concrete.shear_ratio          = 0.2;
-      concrete.limit_elastic_strain = 1e-4;
-      concrete.relative_ductility   = 30;
-      concrete.cohesion             = 3e6;
-      concrete.friction_coefficient = 0.8;
       dem::SpecimenParameters parameters;
       parameters.density           = 4800;
       parameters.interaction_ratio = 1.1;
       parameters.damping           = 0.3;
       dem::Packing packing         = dem::make_lattice(dem::Lattice::face_centred_cubic, 1e-3, {cells, cells, cells});
       packing.periodic_cell.reset();
-      return dem::Specimen(packing, parameters, dem::CpmMaterials(concrete));
+      return dem::Specimen(packing, parameters, dem::CpmMaterials(concrete_links()));
     }
 
     std::string sums_in_words(const std::vector<SumRow> &rows)

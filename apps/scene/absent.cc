@@ -29,6 +29,9 @@ namespace apps
          "Constants are sought by \"breccia calibrate\" (doc/tutorials/calibrate.md) and by \"breccia invert\"; "
          "doc/tutorials/constants.md says which constant moves which figure."},
         {{"Mix"}, "A mix makes the specimen in scenes of kind uniaxial, quasi_static and cell."},
+        {{"fabric", "coordination", "couple stress", "stress tensor"},
+         "These are printed by \"breccia measure\" for a state that a run of bonded particles left "
+         "(doc/theory/stress-and-fabric.md)."},
         {{"GPU", "CUDA"}, "Nothing runs on a graphics processor: particles run on threads (--threads)."},
         {{"Poisson ratio", "Poisson's ratio", "Poissons ratio"},
          "Links have no Poisson's ratio: that of a specimen follows from \"Shear ratio\" (CPM) or \"Stiffness ratio\" "

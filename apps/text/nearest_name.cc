@@ -31,7 +31,7 @@ namespace apps
     /** Whether one may be meant by the other: a third of the letters may be wrong. */
     bool is_like(const std::string &typed, const std::string &name)
     {
-      return contains(name, typed) || edit_distance(typed, name) <= (std::max(typed.size(), name.size()) + 2) / 3;
+      return contains(name, typed) || edit_distance(typed, name) <= (std::max(typed.size(), name.size()) + 1) / 3;
     }
   } // namespace
 

@@ -25,7 +25,7 @@ namespace dem::leap_frog
   {
     Pack keep_pose, translates, rotates; ///< what of a pose stays, and which lanes are displaced and turned
 
-    Lanes()
+    BRECCIA_KERNEL Lanes()
       : keep_pose(pack_of([](const int i) { return i < 3 || i == 6 ? 1.0 : 0.0; }))
       , translates(pack_of([](const int i) { return i < 3 ? 1.0 : 0.0; }))
       , rotates(pack_of([](const int i) { return i >= 3 && i < 6 ? 1.0 : 0.0; }))

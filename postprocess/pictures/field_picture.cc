@@ -72,7 +72,7 @@ namespace postprocess
           throw std::invalid_argument("there is nothing to draw");
         GnuplotJob   job;
         const double scale =
-          set_axes(job, {box_of(facets, what.circles), what.right, what.up, 900, 290, 140, 260}).per_metre;
+          set_axes(job, {box_of(facets, what.circles), what.right, what.up, 900, 320, 140, 260}).per_metre;
         std::string &rows = job.data["facets"];
         for (const PictureFacet &facet : facets)
           {
@@ -91,8 +91,8 @@ namespace postprocess
         job.script += "set title " + gnuplot_quoted(what.title) + " noenhanced\nset pm3d map corners2color c1\n" +
                       "set cblabel " + gnuplot_quoted(what.label) + " noenhanced\n" + range + "]\n" +
                       "set lmargin at screen " + std::to_string(150.0 / job.width) + "\nset rmargin at screen " +
-                      std::to_string(1 - 120.0 / job.width) + "\nset colorbox user origin screen " +
-                      std::to_string(1 - 100.0 / job.width) + ",0.3 size screen 0.02,0.45\nset cbtics " + tick +
+                      std::to_string(1 - 150.0 / job.width) + "\nset colorbox user origin screen " +
+                      std::to_string(1 - 130.0 / job.width) + ",0.3 size screen 0.02,0.45\nset cbtics " + tick +
                       "\nset tics scale 0.15\n" + // as high for a thin bar
                       "set palette defined (0 '#e8edf3', 0.5 '#e0a050', 0.9 '#c1272d', 1 '#400010')\n" +
                       "splot 'facets' using 1:2:3:3 with pm3d notitle";

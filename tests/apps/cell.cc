@@ -83,7 +83,8 @@ TEST_CASE("a cell scene whose particles do not come to bear a stress says that i
   const Outcome outcome = run(folder.path(), {"run", "x.prm", "-o", "out"});
   INFO(outcome.err);
   REQUIRE(outcome.status == 0);
-  CHECK_THAT(outcome.out, Contains("stress not reached") && Contains("leg 1"));
+  CHECK_THAT(outcome.out,
+             Contains("stress not reached") && Contains("when leg 1 ended") && Contains("prescribed by then"));
   const auto summary = nlohmann::json::parse(content_of(folder / "out/summary.json"));
   CHECK(summary["ended_by"] == "stress not reached");
   CHECK_THAT(summary["warnings"].at(0).get<std::string>(), Contains("stress yy") || Contains("stress zz"));

@@ -157,7 +157,8 @@ TEST_CASE("describe says in a sentence what does not exist, and does not guess",
   const ScratchFolder folder;
   for (const auto &[word, answer] :
        {std::pair{"MPI", "share their work among the processes of mpirun"}, std::pair{"Python", "the module that"},
-        std::pair{"calibrate", "doc/tutorials/constants.md"}, std::pair{"CUDA", "graphics processor"}})
+        std::pair{"calibrate", "doc/tutorials/constants.md"}, std::pair{"CUDA", "graphics processor"},
+        std::pair{"fabric", "breccia measure"}})
     {
       const Outcome outcome = run(folder.path(), {"describe", word});
       CHECK(outcome.status == 2);

@@ -27,5 +27,7 @@ TEST_CASE("A name that contains what was typed is nearer than one of fewer lette
   CHECK(apps::nearest_name("MPI", {"Damping", "Motion"}).empty()); // within a word, and no word like it
   CHECK(apps::nearest_name("Python", {"Damping", "Motion"}).empty());
   CHECK(apps::did_you_mean_or_known("Poisson ratio", {"Shear ratio", "Cohesion"}) == "Known: Shear ratio, Cohesion.");
-  CHECK(apps::nearest_name("st", {"material", "step", "test"}) == "step"); // too short to be a word
+  CHECK(apps::nearest_name("st", {"material", "step", "test"}).empty()); // too short to be a word
+  CHECK(apps::nearest_name("wing", {"Kind", "Density"}).empty());        // half of its letters would be wrong
+  CHECK(apps::nearest_name("Kidn", {"Kind", "Density"}) == "Kind");
 }

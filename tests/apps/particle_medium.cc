@@ -39,8 +39,36 @@ namespace
 )";
   }
 
-  /** A bar of two materials, one half of its elements in a group of its own, particles in the middle. */
-  std::string bar_of_two()
+  /** One half of the bar's elements, from x to the right, in a group of its own. */
+  std::string box(const std::string &name, const std::string &x)
+  {
+    return R"(
+      subsection )" +
+           name + R"(
+        set Corner      = )" +
+           x + R"(, 0, 0
+        set Size        = 0.02, 0.01, 0.01
+        set Divisions x = 4
+        set Divisions y = 2
+        set Divisions z = 2
+        set Material    = )" +
+           name + R"(
+      end)";
+  }
+
+  std::string homogenised(const std::string &group)
+  {
+    return R"(
+    subsection )" +
+           group + R"(
+      set Law = anisotropic elastic
+      subsection anisotropic elastic
+        set Homogenised = true
+      end
+    end)";
+  }
+
+  std::string particles_of_two()
   {
     return R"(
 set Kind = structure
@@ -64,44 +92,24 @@ subsection Regions
     set Upper    = 1, 1, 1
   end
 end
-subsection Continuum
+)";
+  }
+
+  /** A bar of two materials, one half of its elements in a group of its own, particles in the middle. */
+  std::string bar_of_two()
+  {
+    return particles_of_two() + R"(subsection Continuum
   subsection Model
     set Dimension = 3
   end
   subsection Mesh
     set Source = bodies
-    subsection Boxes
-      subsection left
-        set Corner      = 0, 0, 0
-        set Size        = 0.02, 0.01, 0.01
-        set Divisions x = 4
-        set Divisions y = 2
-        set Divisions z = 2
-        set Material    = left
-      end
-      subsection right
-        set Corner      = 0.02, 0, 0
-        set Size        = 0.02, 0.01, 0.01
-        set Divisions x = 4
-        set Divisions y = 2
-        set Divisions z = 2
-        set Material    = right
-      end
+    subsection Boxes)" +
+           box("left", "0") + box("right", "0.02") + R"(
     end
   end
-  subsection Materials
-    subsection left
-      set Law = anisotropic elastic
-      subsection anisotropic elastic
-        set Homogenised = true
-      end
-    end
-    subsection right
-      set Law = anisotropic elastic
-      subsection anisotropic elastic
-        set Homogenised = true
-      end
-    end
+  subsection Materials)" +
+           homogenised("left") + homogenised("right") + R"(
   end
   subsection Boundary conditions
     subsection left left

@@ -85,28 +85,6 @@ TEST_CASE("A beam with a peridynamic core that stops half way goes on to the sam
   CHECK(parts.summary["figures"] == whole.summary["figures"]);
 }
 
-TEST_CASE("Scenes with a peridynamic core that cannot be are refused by name", "[apps]")
-{
-  const ScratchFolder folder;
-  const auto          refused = [&](const std::string &change, const std::string &words) {
-    is_refused(folder, scene_file(), coarse({change}), words, {"check"});
-  };
-  refused("Core/Body/Size=0.12", "has 1 lengths, but Continuum/Model/Dimension = 2");
-  refused("Core/Body/Thickness=0.2", "must be Continuum/Model/Thickness, 0.1 m");
-  refused("Core/Body/Plane=strain", "must be that of Continuum/Model");
-  refused("Core/Grid/Spacing=0.007", "must divide every length");
-  refused("Core/Material/Density=0", "Density");
-  refused("Handshake/Sides=left, rihgt", "Did you mean \"right\"");
-  refused("Handshake/Overlap=0.06", "leaves nothing of the core");
-  refused("Continuum/Mesh/Boxes/beam/Size=0.48, 0.12, 0", "lies beside the core");
-  refused("Core/Cracks/notch/To=0, -0.055", "Core/Cracks/notch: no bond crosses it");
-  is_refused(folder, scene_file(), coarse({"Core/Tractions/pull/Boundary=left", "Core/Tractions/pull/Value=1e6, 0"}),
-             "nothing can act there", {"check"});
-  // The core is longer than the beam.
-  is_refused(folder, scene_file(), coarse({"Core/Body/Size=0.49, 0.1", "Handshake/Overlap=0.05"}),
-             "Let the mesh reach through the overlap", {"check"});
-}
-
 TEST_CASE("A scene with a core of another material than its elements is doubted, and check says how it steps", "[apps]")
 {
   const auto said = [](const std::vector<std::string> &more) {

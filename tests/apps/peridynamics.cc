@@ -247,47 +247,6 @@ TEST_CASE("A traction on a boundary that has cracked is doubted", "[apps]")
   CHECK(told(run_of(folder, "tension", twice)));
 }
 
-TEST_CASE("A horizon below one spacing is refused by name", "[apps]")
-{
-  const ScratchFolder folder;
-  is_refused(folder, shipped("tension"), {"Horizon/Ratio=0.9"}, "Horizon/Ratio = 0.9");
-}
-
-TEST_CASE("A spacing that does not divide the body is refused by name", "[apps]")
-{
-  const ScratchFolder folder;
-  is_refused(folder, shipped("tension"), {"Grid/Spacing=0.03"}, "Grid/Spacing = 0.03: must divide every length");
-  is_refused(folder, shipped("bar"), {"Grid/Spacing=0.03"}, "1 m are 33.3333 spacings");
-}
-
-TEST_CASE("A Poisson's ratio that bonds cannot have is refused by name, in every kind of space", "[apps]")
-{
-  const ScratchFolder folder;
-  is_refused(folder, shipped("tension"), {"Material/Poisson ratio=0.2"},
-             "Material/Poisson ratio = 0.2: bonds have 0.333333 here");
-  is_refused(folder, shipped("impact"), {"Material/Poisson ratio=0.333"}, "bonds have 0.25 here");
-  is_refused(folder, shipped("block"), {"Material/Poisson ratio=0.3"}, "bonds have 0.25 here");
-  is_refused(folder, shipped("bar"), {"Material/Poisson ratio=0.25"}, "a rod has none");
-}
-
-TEST_CASE("Tractions that do not balance on a free body are refused by name", "[apps]")
-{
-  const ScratchFolder folder;
-  is_refused(folder, shipped("tension"), {"Tractions/above/Value=0, 100e6"}, "Tractions: do not balance");
-  is_refused(folder, shipped("tension"), {"Tractions/above/Value=10e6, 200e6", "Tractions/below/Value=-10e6, -200e6"},
-             "Tractions: do not balance"); // a moment
-}
-
-TEST_CASE("An isolated node is refused by name", "[apps]")
-{
-  // A horizon of one spacing, and cracks around a corner.
-  const ScratchFolder folder;
-  is_refused(folder, shipped("tension"),
-             {"Horizon/Ratio=1", "Cracks/across/From=-0.49, -0.3", "Cracks/across/To=-0.49, 0",
-              "Cracks/along/From=-0.6, -0.24", "Cracks/along/To=0, -0.24"},
-             "m is isolated: no bond leads to it");
-}
-
 TEST_CASE("Bodies that are torn to pieces at rest end as broken through, by either solver and kinematics", "[apps]")
 {
   const ScratchFolder folder;
@@ -305,34 +264,6 @@ TEST_CASE("Bodies that are torn to pieces at rest end as broken through, by eith
       }
 }
 
-TEST_CASE("Peridynamic scenes that cannot be are refused by name", "[apps]")
-{
-  const ScratchFolder folder;
-  const std::string   scene   = shipped("tension");
-  const auto          refused = [&](const std::vector<std::string> &changes, const std::string &words) {
-    is_refused(folder, scene, changes, words, {"check"});
-  };
-  refused({"Body/Size=1, 0.5, 2, 3"}, "one to three lengths");
-  refused({"Tractions/above/Boundary=front"}, "left, right, bottom, top");
-  refused({"Tractions/above/Value=0, 100e6, 3"}, "component along z");
-  refused({"Tractions/above/Value=0, 100e6 +"}, "formulas");
-  refused({"Analysis/Method=motion", "Analysis/End time=1e-4"}, "Density");
-  refused({"Material/Critical stretch=0.01", "Material/Fracture energy=100"}, "leave one of them out");
-  is_refused(folder, shipped("hole"), {"Holes/hole/Radius=0.4"}, "Holes", {"check"});
-  refused({"Cracks/beside/From=2, 0", "Cracks/beside/To=3, 0"}, "no bond crosses it");
-
-  const std::string concrete = shipped("concrete");
-  is_refused(folder, concrete, {"Material/Young modulus=1e9"}, "single one", {"check"});
-  is_refused(folder, concrete, {"Interfaces/transition zone/Material=morter"}, "Did you mean \"mortar\"", {"check"});
-  is_refused(folder, concrete, {"Interfaces/transition zone/Critical stretch=1e-3"}, "leave one of them out",
-             {"check"});
-  is_refused(folder, concrete, {"Regions/stone 1/Material=gravel"}, "is not in section Materials", {"check"});
-  is_refused(folder, concrete, {"Materials/steel/Young modulus=200e9", "Materials/steel/Density=7800"},
-             "no node is of it", {"check"});
-  is_refused(folder, scene, {"Regions/a/Material=b", "Regions/a/Radius=1", "Regions/a/Centre=0, 0, 0"},
-             "no section Materials", {"check"});
-}
-
 namespace
 {
   /** Places of nodes at a crack: those that lost more than a third of their bonds. */
@@ -347,10 +278,11 @@ namespace
   }
 } // namespace
 
-TEST_CASE("Cracks leave the notches of a struck plate at 65 to 70 degrees, as measured, slower than Rayleigh waves", "[apps][slow]")
+TEST_CASE("Cracks leave the notches of a struck plate at 65 to 70 degrees, as measured, slower than Rayleigh waves",
+          "[apps][slow]")
 {
   // Kalthoff and Winkler (1988). The notches go down to y = 0; a crack that goes on has 0 degrees to them.
-  const ScratchFolder folder;
+  const ScratchFolder   folder;
   const apps::RunResult found = run_of(folder, "impact", {});
   for (const int side : {-1, 1})
     {
@@ -378,7 +310,7 @@ TEST_CASE("Cracks leave the notches of a struck plate at 65 to 70 degrees, as me
     }
   // While the two run alone, 25 to 45 microseconds after the blow: both grow by what is released over the energy of a crack.
   const std::vector<double> &time = found.series.column("time"), &released = found.series.column("energy_released");
-  const auto                 at   = [&](const double t) {
+  const auto                 at = [&](const double t) {
     return released[static_cast<std::size_t>(std::lower_bound(time.begin(), time.end(), t) - time.begin())];
   };
   const double speed    = (at(45e-6) - at(25e-6)) / (2 * 22170 * 0.001) / 20e-6,

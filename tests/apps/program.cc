@@ -54,7 +54,8 @@ namespace apps_tests
       Surroundings()
       {
         for (char **entry = environ; *entry; ++entry)
-          environment.emplace_back(*entry);
+          if (std::string(*entry).rfind("XDG_", 0) != 0) // which the program reads each time it needs it
+            environment.emplace_back(*entry);
       }
       bool operator==(const Surroundings &other) const
       {

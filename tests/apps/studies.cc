@@ -322,7 +322,7 @@ TEST_CASE("under mpirun a reason to end is given once, and also where only anoth
     }
 }
 
-TEST_CASE("a part of a study that begins afresh leaves what other parts have begun", "[apps]")
+TEST_CASE("a part of a study that begins afresh leaves what other parts have begun", "[apps][slow]")
 {
   const ScratchFolder   folder;
   apps::StudyPlan       plan, other;

@@ -4,6 +4,7 @@
 #include "coupling/promotion/growing_regions.h"
 #include "dem/laws/cpm.h"
 #include "dem/packing/lattice.h"
+#include "tests/dem/clusters.h"
 #include "tests/fem/solid_fixture.h"
 
 #include <catch2/catch.hpp>
@@ -19,13 +20,9 @@ namespace
 
   dem::CpmParameters brittle()
   {
-    dem::CpmParameters p;
-    p.normal_modulus       = 25e9;
-    p.shear_ratio          = 0.2;
+    dem::CpmParameters p   = cluster::concrete();
     p.limit_elastic_strain = elastic_strain;
     p.relative_ductility   = 2;
-    p.cohesion             = 3e6;
-    p.friction_coefficient = 0.8;
     return p;
   }
 

@@ -232,7 +232,7 @@ TEST_CASE(
 }
 
 TEST_CASE("surface coupling: checked windows keep to what may be lost where a hard contact begins in a long one",
-          "[coupling]")
+          "[coupling][slow]")
 {
   constexpr double may = 1e-4;
   struct Lost

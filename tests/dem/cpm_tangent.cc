@@ -1,6 +1,7 @@
 // Consistent tangent of the CPM update against differences of the update itself.
 #include "dem/laws/cpm_tangent.h"
 
+#include "clusters.h"
 #include "dem/core/uniform_random.h"
 #include "dem/laws/cpm.h"
 
@@ -44,15 +45,10 @@ namespace
 
   dem::CpmParameters concrete(const dem::DamageLaw damage, const double shear_contribution)
   {
-    dem::CpmParameters p;
-    p.normal_modulus       = 25e9;
-    p.shear_ratio          = 0.2;
-    p.limit_elastic_strain = 1e-4;
-    p.relative_ductility   = 5;
-    p.cohesion             = 3e6;
-    p.friction_coefficient = 0.8;
-    p.damage_law           = damage;
-    p.shear_contribution   = shear_contribution;
+    dem::CpmParameters p = cluster::concrete();
+    p.relative_ductility = 5;
+    p.damage_law         = damage;
+    p.shear_contribution = shear_contribution;
     return p;
   }
 } // namespace

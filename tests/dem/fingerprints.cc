@@ -10,6 +10,7 @@
 #include "dem/packing/compaction.h"
 #include "dem/packing/lattice.h"
 #include "dem/specimen/specimen.h"
+#include "falling_grains.h"
 
 #include <catch2/catch.hpp>
 
@@ -141,25 +142,17 @@ namespace
   /** Loose spheres fall onto a floor and onto each other, with friction. */
   dem::Specimen falling_grains()
   {
-    dem::LinearContactParameters grains;
-    grains.effective_modulus    = 1e8;
-    grains.stiffness_ratio      = 1.5;
-    grains.friction_coefficient = 0.5;
-    dem::SpecimenParameters parameters;
-    parameters.density           = 2600;
-    parameters.interaction_ratio = 1;
-    parameters.damping           = 0.2;
-    parameters.gravity           = {0, 0, -9.81};
-    dem::Packing       packing   = cluster::cubic_lattice(6, 6, 6, 1e-3);
-    dem::UniformRandom random(3);
+    const dem::LinearContactParameters rough   = grains::rough();
+    dem::Packing                       packing = cluster::cubic_lattice(6, 6, 6, 1e-3);
+    dem::UniformRandom                 random(3);
     for (Vector3d &x : packing.centre)
       x = 1.02 * x + Vector3d(0, 0, 1.1e-3) + 2e-5 * cluster::random_vector(random);
-    dem::Specimen          specimen(packing, parameters, grains);
+    dem::Specimen          specimen(packing, grains::falling(), rough);
     dem::SurfaceParameters floor;
     floor.name = "floor";
     floor.mesh =
       dem::box(Vector3d(-0.05, -0.05, 0), Vector3d(0.05, 0.05, 1), {false, false, false, false, true, false});
-    floor.contact = grains;
+    floor.contact = rough;
     specimen.surfaces().add(floor);
     for (std::size_t i = 0; i < packing.size(); ++i)
       specimen.set_velocity(i, Vector3d(0.3, 0, -1), Vector3d::Zero());

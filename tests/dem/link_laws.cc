@@ -1,5 +1,6 @@
 // What laws that lose stiffness in tension must obey, whatever their formulas. Every law there is: registered_laws.cc.
 
+#include "clusters.h"
 #include "dem/core/uniform_random.h"
 #include "dem/laws/all.h"
 
@@ -26,13 +27,8 @@ namespace
 
     static std::vector<dem::CpmParameters> materials()
     {
-      dem::CpmParameters exponential;
-      exponential.normal_modulus       = 25e9;
-      exponential.shear_ratio          = 0.2;
-      exponential.limit_elastic_strain = 1e-4;
-      exponential.relative_ductility   = 5;
-      exponential.cohesion             = 3e6;
-      exponential.friction_coefficient = 0.8;
+      dem::CpmParameters exponential = cluster::concrete();
+      exponential.relative_ductility = 5;
       dem::CpmParameters linear = exponential, sheared = exponential;
       linear.damage_law          = dem::DamageLaw::linear;
       sheared.shear_contribution = 0.6;

@@ -1,4 +1,5 @@
 #include "base/errors.h"
+#include "clusters.h"
 #include "dem/laws/cpm.h"
 #include "dem/laws/linear_contact.h"
 #include "dem/laws/scaled_constants.h"
@@ -233,15 +234,9 @@ TEST_CASE("classification: aggregates with particles near each other have differ
 TEST_CASE("scaled constants: stiffness, strength and ductility of the interface from those of the mortar",
           "[dem][mesostructure]")
 {
-  dem::CpmParameters mortar;
-  mortar.normal_modulus       = 25e9;
-  mortar.shear_ratio          = 0.2;
-  mortar.limit_elastic_strain = 1e-4;
-  mortar.relative_ductility   = 30;
-  mortar.cohesion             = 3e6;
-  mortar.friction_coefficient = 0.8;
-  const auto     constants    = dem::LinkLawKindOf<dem::CpmParameters::Law>::constants_of(mortar);
-  struct Reading final : dem::ConstantVisitor
+  const dem::CpmParameters mortar    = cluster::concrete();
+  const auto               constants = dem::LinkLawKindOf<dem::CpmParameters::Law>::constants_of(mortar);
+  struct Reading           final : dem::ConstantVisitor
   {
     std::map<std::string, double> read;
     void number(const char *key, double &value, const char *, const char *, double, double, bool) override

@@ -1,6 +1,7 @@
 // A periodic cell as a material point: strain in, stress and consistent tangent out.
 #include "dem/cells/responding_cell.h"
 
+#include "clusters.h"
 #include "dem/homogenisation/relaxed_stiffness.h"
 #include "dem/laws/cpm.h"
 #include "dem/laws/parallel_bond.h"
@@ -18,20 +19,10 @@
 #include <memory>
 
 using namespace homogenisation_fixture;
+using cluster::concrete;
+
 namespace
 {
-  dem::CpmParameters concrete()
-  {
-    dem::CpmParameters p;
-    p.normal_modulus       = 25e9;
-    p.shear_ratio          = 0.2;
-    p.limit_elastic_strain = 1e-4;
-    p.relative_ductility   = 30;
-    p.cohesion             = 3e6;
-    p.friction_coefficient = 0.8;
-    return p;
-  }
-
   std::shared_ptr<const dem::LoadedNetwork>
   random_cell(const dem::LinkMaterials &law, const int dimension = 3, const std::uint64_t seed = 3)
   {

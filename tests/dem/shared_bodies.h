@@ -13,6 +13,7 @@
 #include "dem/loading/uniaxial.h"
 #include "dem/packing/lattice.h"
 #include "dem/specimen/specimen.h"
+#include "falling_grains.h"
 #include "laboratory_fixture.h"
 #include "weak_bonds.h"
 
@@ -130,30 +131,11 @@ namespace shared_bodies
     dem::CellTest test;
   };
 
-  inline dem::LinearContactParameters rough_grains()
-  {
-    dem::LinearContactParameters grains;
-    grains.effective_modulus    = 1e8;
-    grains.stiffness_ratio      = 1.5;
-    grains.friction_coefficient = 0.5;
-    return grains;
-  }
-
-  inline dem::SpecimenParameters falling()
-  {
-    dem::SpecimenParameters parameters;
-    parameters.density           = 2600;
-    parameters.interaction_ratio = 1;
-    parameters.damping           = 0.2;
-    parameters.gravity           = {0, 0, -9.81};
-    return parameters;
-  }
-
   /** Loose grains fall into a box and on each other, with friction. */
   inline std::unique_ptr<Body> falling_grains()
   {
-    const dem::LinearContactParameters grains     = rough_grains();
-    const dem::SpecimenParameters      parameters = falling();
+    const dem::LinearContactParameters grains     = grains::rough();
+    const dem::SpecimenParameters      parameters = grains::falling();
     dem::Packing                       packing    = cluster::cubic_lattice(10, 10, 10, 1e-3);
     dem::UniformRandom                 random(3);
     for (Vector3d &x : packing.centre)
@@ -172,8 +154,8 @@ namespace shared_bodies
   /** Dumb-bells of two that fall into a box, each thrown and turned in its own way. */
   inline std::unique_ptr<Body> tumbling_clumps()
   {
-    const dem::LinearContactParameters grains     = rough_grains();
-    const dem::SpecimenParameters      parameters = falling();
+    const dem::LinearContactParameters grains     = grains::rough();
+    const dem::SpecimenParameters      parameters = grains::falling();
     dem::Packing                       packing    = cluster::cubic_lattice(8, 8, 12, 1e-3);
     dem::UniformRandom                 random(4);
     for (Vector3d &x : packing.centre)

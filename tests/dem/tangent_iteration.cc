@@ -1,6 +1,7 @@
 // The linear systems of cells by iteration, against their factors and closed forms.
 #include "dem/statics/tangent_iteration.h"
 
+#include "clusters.h"
 #include "dem/cells/cell_system.h"
 #include "dem/laws/cpm.h"
 #include "dem/linear/minimal_residuals.h"
@@ -47,16 +48,7 @@ namespace
 
   struct DamagedCell
   {
-    dem::CpmParameters law = [] {
-      dem::CpmParameters p;
-      p.normal_modulus       = 25e9;
-      p.shear_ratio          = 0.2;
-      p.limit_elastic_strain = 1e-4;
-      p.relative_ductility   = 30;
-      p.cohesion             = 3e6;
-      p.friction_coefficient = 0.8;
-      return p;
-    }();
+    dem::CpmParameters law = cluster::concrete();
     dem::LoadedNetwork loaded;
     dem::DamagingLinks links;
 

@@ -4,17 +4,18 @@
 #   hot_loops.sh OBJDUMP OBJECT...
 #
 # A kernel is one straight line of arithmetic on registers. Where the compiler stops inlining half-way it passes packs through memory,
-# at a fraction of the speed, and nothing else tells of it. What may be called: branches that are kept out of the line on purpose
+# at a fraction of the speed, and nothing else shows it. What may be called: branches that are kept out of the line on purpose
 # (BRECCIA_BRANCH, BRECCIA_RARE), fma and what stands for it on processors without the instruction, and outside the loops the runtime of
-# OpenMP and what sets sums to zero.
+# OpenMP, what sets sums to zero, and memory that a pass takes before it begins.
 set -euo pipefail
 
 objdump=$1
 shift
-kernels='(link_update::update_block<|dem::.*particle_pass<|FrictionalAssembly::block_)'
+kernels='(link_update::update_block<|dem::.*particle_pass<|FrictionalAssembly::block_|IncompleteFactor<.*>::(eliminate|apply<)|SplineGrid::spread_part<|BondForces::Pass::run_as<|StiffnessOperator::apply)'
 allowed='replace_large_rotations<|multiply_add_in_parts<|::damage_at<|advance_elements<|exact_rotation_coefficients|solve_rate_equation<|^(sin|cos|sincos|fma)(@|-|\+|$)|omp_get_|GOMP_|__kmpc_|^memset|__stack_chk_fail|update_block<'
+allowed+='|^memmove|_default_append|emplace_back|_Vector_base<|_Unwind_Resume|^[.]text[.]unlikely'
 
-# A call of a function that is local to its object is told as a place in its section: four bytes before its first one.
+# A call of a function that is local to its object is given as a place in its section: four bytes before its first one.
 "$objdump" --disassemble --reloc --demangle --no-show-raw-insn "$@" | awk -v kernels="$kernels" -v allowed="$allowed" '
   function number(hex,   n, i) { for (i = 1; i <= length(hex); ++i) n = 16 * n + index("0123456789abcdef", substr(hex, i, 1)) - 1; return n }
   function place(text,   sign) {

@@ -23,6 +23,7 @@
 #include "instruction_count.h"
 #include "machine_rates.h"
 #include "operation_count.h"
+#include "tests/dem/clusters.h"
 
 #include <omp.h>
 
@@ -75,18 +76,6 @@ namespace
         return "flat joint, slit";
       }
     return "";
-  }
-
-  dem::CpmParameters concrete()
-  {
-    dem::CpmParameters p;
-    p.normal_modulus       = 25e9;
-    p.shear_ratio          = 0.2;
-    p.limit_elastic_strain = 1e-4;
-    p.relative_ductility   = 30;
-    p.cohesion             = 3e6;
-    p.friction_coefficient = 0.8;
-    return p;
   }
 
   dem::ParallelBondParameters cement()
@@ -214,7 +203,7 @@ namespace
     parameters.damping           = 0.3;
     const bool        contacts   = state == State::touching || state == State::elastic_spheres;
     dem::Packing      particles  = contacts ? pressed(packing) : packing;
-    dem::CpmMaterials materials  = concrete();
+    dem::CpmMaterials materials  = cluster::concrete();
     if (state == State::materials)
       {
         materials.list.push_back(materials.list.front());

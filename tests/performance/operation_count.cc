@@ -2,6 +2,7 @@
 
 #include "dem/kernels/kinematics.h"
 #include "dem/laws/cpm.h"
+#include "tests/dem/clusters.h"
 
 #include <cmath>
 
@@ -46,14 +47,7 @@ namespace performance
   Operations count_link_update()
   {
     using dem::Vec;
-    dem::CpmParameters p;
-    p.normal_modulus       = 25e9;
-    p.shear_ratio          = 0.2;
-    p.limit_elastic_strain = 1e-4;
-    p.relative_ductility   = 30;
-    p.cohesion             = 3e6;
-    p.friction_coefficient = 0.8;
-    const dem::CpmConstants law(p);
+    const dem::CpmConstants law(cluster::concrete());
 
     counted = {};
     // Branch, increment, half sums of rotations: three differences each, and three products for each half sum.

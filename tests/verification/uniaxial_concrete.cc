@@ -8,6 +8,7 @@
 #include "dem/packing/tiling.h"
 #include "dem/statics/quasi_static_path.h"
 #include "postprocess/packings/packing_io.h"
+#include "tests/dem/clusters.h"
 #include "tests/places.h"
 
 #include <catch2/catch.hpp>
@@ -22,18 +23,6 @@
 namespace
 {
   constexpr double radius = 1e-3;
-
-  dem::CpmParameters concrete()
-  {
-    dem::CpmParameters p;
-    p.normal_modulus       = 25e9;
-    p.shear_ratio          = 0.2;
-    p.limit_elastic_strain = 1e-4;
-    p.relative_ductility   = 30;
-    p.cohesion             = 3e6;
-    p.friction_coefficient = 0.8;
-    return p;
-  }
 
   dem::Packing cube(const double edge, const std::uint64_t seed)
   {
@@ -59,7 +48,7 @@ namespace
 
   dem::CpmParameters concrete_with_first_order_shear()
   {
-    dem::CpmParameters p = concrete();
+    dem::CpmParameters p = cluster::concrete();
     p.shear_kinematics   = dem::ShearKinematics::first_order;
     return p;
   }
@@ -151,7 +140,7 @@ TEST_CASE("with its shear kinematics the reference cube has modulus and strength
   // The same law, grips, rates, damping and step there. Its figure of the modulus does not say how it was read; of a curve that bends,
   // doc/theory/laboratory-test.md, 6 lists the readings. This is the one that a laboratory takes, from every step of the test.
   const dem::Packing packing     = reference_cube();
-  const double       step        = 0.8 * radius * std::sqrt(4800 / (2 * concrete().normal_modulus));
+  const double       step        = 0.8 * radius * std::sqrt(4800 / (2 * cluster::concrete().normal_modulus));
   const auto         gauge       = dem::Gauge::outermost_centres;
   const Outcome      tension     = load(packing, concrete_with_first_order_shear(), 0.4, gauge, 0.9, step);
   const Outcome      compression = load(packing, concrete_with_first_order_shear(), -3.0, gauge, 0.97, step, 1);
@@ -178,9 +167,9 @@ TEST_CASE("exact shear makes the reference cube stiffer and stronger by what the
     return std::pair<Outcome, Outcome>(load(packing, material, 0.4, dem::Gauge::outermost_centres, 0.9),
                                        load(packing, material, -3.0, dem::Gauge::outermost_centres, 0.97, 0, 1));
   };
-  dem::CpmParameters lowered = concrete();
+  dem::CpmParameters lowered = cluster::concrete();
   lowered.shear_ratio *= mean_arm_ratio(packing, 1.5);
-  const auto [tension, compression]               = both(concrete());
+  const auto [tension, compression]               = both(cluster::concrete());
   const auto [scaled_tension, scaled_compression] = both(lowered);
   CAPTURE(lowered.shear_ratio, tension.figures.young_modulus, tension.figures.strength, compression.figures.strength,
           chord_modulus(compression), chord_modulus(scaled_compression));
@@ -204,7 +193,7 @@ TEST_CASE("with the default gauge length the modulus depends on the grips' thick
   make.proportions          = box;
   dem::Packing packing      = dem::tile_and_crop(dem::compact(make).packing, box).packing;
   const auto   modulus_with = [&packing](const double thickness, const dem::Gauge gauge) {
-    const dem::CpmParameters law = concrete();
+    const dem::CpmParameters law = cluster::concrete();
     dem::NetworkParameters   links;
     links.interaction_ratio = 1.5;
     links.normal_modulus    = law.normal_modulus;
@@ -237,8 +226,8 @@ TEST_CASE("50 mm cubes of three seeds have the reference modulus and strengths, 
     {
       CAPTURE(seed);
       const dem::Packing packing     = cube(0.05, seed);
-      const Outcome      tension     = load(packing, concrete(), 0.4);
-      const Outcome      compression = load(packing, concrete(), -3.0);
+      const Outcome      tension     = load(packing, cluster::concrete(), 0.4);
+      const Outcome      compression = load(packing, cluster::concrete(), -3.0);
       const double       ratio       = compression.figures.strength / tension.figures.strength;
       CAPTURE(packing.size(), tension.figures.young_modulus, tension.figures.strength, compression.figures.strength,
               ratio);
@@ -259,13 +248,13 @@ TEST_CASE("doubling modulus and cohesion at constant limit strain doubles modulu
           "[verification][slow]")
 {
   const dem::Packing packing = cube(0.025, 1);
-  dem::CpmParameters doubled = concrete();
+  dem::CpmParameters doubled = cluster::concrete();
   doubled.normal_modulus *= 2;
   doubled.cohesion *= 2;
   for (const double rate : {0.4, -3.0})
     {
       CAPTURE(rate);
-      const dem::UniaxialFigures once  = load(packing, concrete(), rate).figures,
+      const dem::UniaxialFigures once  = load(packing, cluster::concrete(), rate).figures,
                                  twice = load(packing, doubled, rate).figures;
       // 3 %: inertia does not scale with the modulus at a given rate.
       CHECK(twice.young_modulus == Approx(2 * once.young_modulus).epsilon(0.03));

@@ -27,9 +27,9 @@ namespace apps
 
     std::string text_of(const dem::StressAtEnd &end)
     {
-      return fmt::format("at the end of leg {} stress {} is {:.4g} Pa, with {:.4g} Pa asked, at strain {:.3g}",
-                         end.leg + 1, base::voigt_names[static_cast<std::size_t>(end.component)], end.is, end.asked,
-                         end.strain);
+      return fmt::format(
+        "when leg {} ended, stress {} was {:.4g} Pa, with {:.4g} Pa prescribed by then, at strain {:.3g}", end.leg + 1,
+        base::voigt_names[static_cast<std::size_t>(end.component)], end.is, end.asked, end.strain);
     }
 
     /** Component whose strain spans most. */

@@ -54,8 +54,8 @@ namespace apps
     virtual std::vector<double>                    row() const     = 0;
     /** Note the energies of now. @throws StoppedShort as EnergyWatch */
     virtual void watch() = 0;
-    /** Columns that the summary tells of, with their units. */
-    virtual std::vector<postprocess::SeriesColumn> told() const = 0;
+    /** Columns that the summary reports, with their units. */
+    virtual std::vector<postprocess::SeriesColumn> reported() const = 0;
 
     /** Forces from outside, beside the scene's, until the next call. No checkpoint holds them. */
     virtual void push(const OutsideForces &forces) = 0;

@@ -16,7 +16,7 @@ namespace apps
     const auto                  body    = make_coupled_body(model, packing, media); // refuses what a run would refuse
     RunOutcome                  found;
     found.set_columns(body->columns());
-    for (const postprocess::SeriesColumn &column : body->told())
+    for (const postprocess::SeriesColumn &column : body->reported())
       found.add_figures_of_column(column.name);
     if (model.laboratory.given())
       found.add_figures(names_of_figures({UniaxialLoad::compression}, true));

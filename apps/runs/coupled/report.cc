@@ -54,7 +54,7 @@ namespace apps
   nlohmann::json CoupledReport::figures() const
   {
     nlohmann::json found = nlohmann::json::object();
-    for (const postprocess::SeriesColumn &column : body.told())
+    for (const postprocess::SeriesColumn &column : body.reported())
       found[column.name] = figure_of(series, column.name, column.unit);
     if (model.laboratory.given())
       found.update(figures_of({notes()}));
@@ -125,7 +125,7 @@ namespace apps
   std::string CoupledReport::text() const
   {
     std::string text;
-    for (const postprocess::SeriesColumn &column : body.told())
+    for (const postprocess::SeriesColumn &column : body.reported())
       {
         const std::vector<double> &values = series.column(column.name);
         const auto [least, largest]       = std::minmax_element(values.begin(), values.end());

@@ -12,7 +12,7 @@
 
 namespace apps
 {
-  /** What a complete run of kind "coupled" tells: for programs, for the eye, for the terminal. */
+  /** The results of a complete run of kind "coupled": summary, figures and lines for the terminal. */
   struct CoupledReport
   {
     const RunRequest            &request;

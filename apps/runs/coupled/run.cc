@@ -21,8 +21,8 @@
 
 namespace apps
 {
-  CoupledRun::CoupledRun(const RunRequest &asked, const CoupledModel &what)
-    : request(asked)
+  CoupledRun::CoupledRun(const RunRequest &requested, const CoupledModel &what)
+    : request(requested)
     , model(what)
     , sampling(model.particles.end_time, model.particles.output, 1e-12)
   {
@@ -184,7 +184,7 @@ namespace apps
     warn_of_missing("coupled.png", body->draw(folder / "coupled.png", title));
     warn_of_missing("damage.png", body->draw_damage(folder / "damage.png", title));
     warn_of_missing("promoted.png", body->draw_promotion(folder / "promoted.png", title));
-    const auto [horizontal, vertical] = model.curve(body->columns(), body->told());
+    const auto [horizontal, vertical] = model.curve(body->columns(), body->reported());
     write_curve(folder, series, horizontal, vertical, title);
   }
 

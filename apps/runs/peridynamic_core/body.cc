@@ -128,7 +128,7 @@ namespace apps
       std::int64_t steps() const override { return taken; }
       double       step() const override { return handshake->stable_step(); }
 
-      std::vector<postprocess::SeriesColumn> told() const override
+      std::vector<postprocess::SeriesColumn> reported() const override
       {
         std::vector<postprocess::SeriesColumn> all;
         for (const ProbeColumn &probe : probes.columns())
@@ -143,7 +143,7 @@ namespace apps
       std::vector<postprocess::SeriesColumn> columns() const override
       {
         std::vector<postprocess::SeriesColumn> all = {{"time", "s"}};
-        for (const postprocess::SeriesColumn &one : told())
+        for (const postprocess::SeriesColumn &one : reported())
           all.push_back(one);
         for (const char *term : {"kinetic", "internal", "external", "damped", "start"})
           all.push_back({std::string("energy_solid_") + term, "J"});

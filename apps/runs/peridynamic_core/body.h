@@ -36,9 +36,9 @@ namespace apps
     virtual std::int64_t steps() const = 0; ///< taken
     virtual double       step() const  = 0; ///< the longest now [s]
 
-    virtual std::vector<postprocess::SeriesColumn> columns() const = 0; ///< of the series; the first is the time
-    virtual std::vector<double>                    row() const     = 0;
-    virtual std::vector<postprocess::SeriesColumn> told() const    = 0; ///< columns that the summary tells of
+    virtual std::vector<postprocess::SeriesColumn> columns() const  = 0; ///< of the series; the first is the time
+    virtual std::vector<double>                    row() const      = 0;
+    virtual std::vector<postprocess::SeriesColumn> reported() const = 0; ///< columns that the summary reports
 
     virtual PeridynamicCoreSize      size() const   = 0;
     virtual const PeridynamicBody   &core() const   = 0;

@@ -11,7 +11,7 @@ namespace apps
     const auto body = make_peridynamic_core_body(model); // refuses what a run would refuse
     RunOutcome found;
     found.set_columns(body->columns());
-    for (const postprocess::SeriesColumn &column : body->told())
+    for (const postprocess::SeriesColumn &column : body->reported())
       found.add_figures_of_column(column.name);
     found.add_figures({"steps", "energy_balance_error", "handshake_spurious"});
     return found;

@@ -21,8 +21,8 @@
 
 namespace apps
 {
-  PeridynamicCoreRun::PeridynamicCoreRun(const RunRequest &asked, const PeridynamicCoreModel &what)
-    : request(asked)
+  PeridynamicCoreRun::PeridynamicCoreRun(const RunRequest &requested, const PeridynamicCoreModel &what)
+    : request(requested)
     , model(what)
     , sampling(what.end_time, what.output, 1e-12)
   {
@@ -120,7 +120,7 @@ namespace apps
     const PeridynamicCoreSize found   = body->size();
     nlohmann::json            summary = summary_head(request, "peridynamic_core"), figures = nlohmann::json::object();
     std::string               words;
-    for (const postprocess::SeriesColumn &column : body->told())
+    for (const postprocess::SeriesColumn &column : body->reported())
       {
         figures[column.name]             = figure_of(series, column.name, column.unit);
         const std::vector<double> &value = series.column(column.name);

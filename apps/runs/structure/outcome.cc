@@ -14,7 +14,7 @@ namespace apps
     const Promotion             made(model, packing, media); // refuses what a run would refuse
     RunOutcome                  found;
     found.set_columns(made.structure().columns());
-    for (const postprocess::SeriesColumn &column : made.structure().told())
+    for (const postprocess::SeriesColumn &column : made.structure().reported())
       found.add_figures_of_column(column.name);
     found.add_figures({"crack/links", "crack/cracked", "crack/area", "load_factor"});
     if (model.bending_test.evaluate())

@@ -23,7 +23,7 @@ namespace apps
   nlohmann::json StructureReport::figures() const
   {
     nlohmann::json found = nlohmann::json::object();
-    for (const postprocess::SeriesColumn &column : structure.told())
+    for (const postprocess::SeriesColumn &column : structure.reported())
       found[column.name] = figure_of(series, column.name, column.unit, "load_factor");
     const dem::Crack crack = dem::measure_crack(structure.particle_output(), structure.link_output(), model.shape());
     found["crack"] = {{"links", crack.links}, {"cracked", crack.cracked}, {"area", quantity(crack.area, "m^2")}};
@@ -94,7 +94,7 @@ namespace apps
   std::string StructureReport::text() const
   {
     std::string text;
-    for (const postprocess::SeriesColumn &column : structure.told())
+    for (const postprocess::SeriesColumn &column : structure.reported())
       {
         const auto &values = series.column(column.name);
         text += fmt::format("{:<40} {:.6g} {} at its peak, {:.6g} at the end\n", column.name, values[peak_row(values)],
@@ -118,7 +118,7 @@ namespace apps
                     100 * step->change, step->load_factor);
     if (model.bending_test.evaluate())
       text += model.bending_test.text(series, structure.curve().second);
-    text += fmt::format("path         {} points led by the load factor, {} by opening, {} relaxed (cascades)\n",
+    text += fmt::format("path         {} points controlled by the load factor, {} by opening, {} relaxed (cascades)\n",
                         points_by(dem::StepControl::strain), points_by(dem::StepControl::opening),
                         points_by(dem::StepControl::relaxed));
     text += fmt::format("energy       balance error {:.1e} at worst\n", worst_residual(series));

@@ -10,7 +10,7 @@
 
 namespace apps
 {
-  /** What a complete run of kind "structure" tells: for programs, for the eye, for the terminal. */
+  /** The results of a complete run of kind "structure": summary, figures and lines for the terminal. */
   struct StructureReport
   {
     const RunRequest            &request;

@@ -19,8 +19,8 @@
 
 namespace apps
 {
-  StructureRun::StructureRun(const RunRequest &asked, const StructureModel &what)
-    : request(asked)
+  StructureRun::StructureRun(const RunRequest &requested, const StructureModel &what)
+    : request(requested)
     , model(what)
   {
   }

@@ -33,19 +33,19 @@ namespace apps
         for (std::size_t k = 0; k < all.size(); ++k)
           if (const std::string &name = all[k].column.name;
               name != "energy_dissipated" && name.rfind("largest_", 0) != 0)
-            told.push_back(k);
+            reported.push_back(k);
       }
 
       const dem::LoadedNetwork &network() const override { return both.network(); }
 
-      std::vector<ProbeColumn> columns() const override { return told_of(probes.columns()); }
+      std::vector<ProbeColumn> columns() const override { return reported_of(probes.columns()); }
 
       std::vector<double> read(const dem::LoadedMotion &motion) const override
       {
         const State     now = state(motion);
         ContinuumEnergy energy;
         energy.internal = 0.5 * (now.displacement * now.internal);
-        return told_of(probes.read({&now.displacement, &now.internal, &now.external}, energy));
+        return reported_of(probes.read({&now.displacement, &now.internal, &now.external}, energy));
       }
 
       coupling::PlaceMotions motions_at(const std::vector<Eigen::Vector3d> &places,
@@ -157,10 +157,10 @@ namespace apps
       }
 
       template <typename Value>
-      std::vector<Value> told_of(const std::vector<Value> &all) const
+      std::vector<Value> reported_of(const std::vector<Value> &all) const
       {
         std::vector<Value> some;
-        for (const std::size_t k : told)
+        for (const std::size_t k : reported)
           some.push_back(all[k]);
         return some;
       }
@@ -207,7 +207,7 @@ namespace apps
       std::unique_ptr<fem::Solid<dim>> solid;
       coupling::StaticHandshake<dim>   both;
       ContinuumProbes<dim>             probes;
-      std::vector<std::size_t>         told; ///< of its columns
+      std::vector<std::size_t>         reported; ///< of its columns
 
       mutable std::vector<Eigen::Vector3d>                         looked_for;
       mutable std::vector<std::optional<fem::PlaceInElement<dim>>> found; ///< of each of these

@@ -48,7 +48,7 @@ namespace apps
     return dem::particles_of(network(), path, radius, model.shape());
   }
 
-  std::vector<postprocess::SeriesColumn> Structure::told() const
+  std::vector<postprocess::SeriesColumn> Structure::reported() const
   {
     std::vector<postprocess::SeriesColumn> all = model.probes.columns();
     for (const ParticleSupport &support : model.supports.supports)
@@ -69,8 +69,8 @@ namespace apps
   std::vector<postprocess::SeriesColumn> Structure::columns() const
   {
     std::vector<postprocess::SeriesColumn> all = {{"point", ""}, {"load_factor", "-"}, {"force_of_load_factor", "J"}};
-    for (const postprocess::SeriesColumn &told_one : told())
-      all.push_back(told_one);
+    for (const postprocess::SeriesColumn &one : reported())
+      all.push_back(one);
     all.push_back({"mean_damage", "-"});
     for (const HandshakeSection &handshake : handshakes.handshakes)
       all.push_back({column_name(handshake.name) + "_damaged", ""});

@@ -49,8 +49,8 @@ namespace apps
 
     /** Of series.csv; the first are the point and the load factor. */
     std::vector<postprocess::SeriesColumn> columns() const;
-    /** Columns that the summary tells of. */
-    std::vector<postprocess::SeriesColumn> told() const;
+    /** Columns that the summary reports. */
+    std::vector<postprocess::SeriesColumn> reported() const;
     /** Columns of the curve. @throws base::InputError where the scene asks for one that there is not */
     std::pair<std::string, std::string> curve() const;
     SeriesRow                           row() const; ///< of the last point

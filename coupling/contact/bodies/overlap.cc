@@ -125,22 +125,25 @@ namespace coupling::bodies
       return true;
     }
 
-    /** @param piece says of which side */
-    void add_pieces(const Polygon &polygon, OverlapPiece piece, std::vector<OverlapPiece> &pieces)
+    /** Of a simplex of that number in its pair; pieces lie in a side of it. */
+    struct SideOf
+    {
+      int  simplex = 0, side = 0;
+      bool twice = false; ///< lies in a piece of the first simplex
+    };
+
+    void add_pieces(const Polygon &polygon, const SideOf &of, std::vector<OverlapPiece> &pieces)
     {
       if (polygon.count == 2)
         {
-          const Vector3d along = polygon.corner[1] - polygon.corner[0];
-          piece.corner         = {polygon.corner[0], polygon.corner[1], polygon.corner[1]};
-          piece.area           = {along[1], -along[0], 0};
-          pieces.push_back(piece);
+          const Vector3d &a = polygon.corner[0], &b = polygon.corner[1];
+          const Vector3d  along = b - a;
+          pieces.push_back({of.simplex, of.side, of.twice, {a, b, b}, {along[1], -along[0], 0}});
         }
       for (int k = 1; k + 1 < polygon.count; ++k)
         {
           const Vector3d &a = polygon.corner[0], &b = polygon.corner[k], &c = polygon.corner[k + 1];
-          piece.corner = {a, b, c};
-          piece.area   = 0.5 * (b - a).cross(c - a);
-          pieces.push_back(piece);
+          pieces.push_back({of.simplex, of.side, of.twice, {a, b, c}, 0.5 * (b - a).cross(c - a)});
         }
     }
 
@@ -153,20 +156,18 @@ namespace coupling::bodies
     {
       for (int side = 0; side < simplex.corners; ++side)
         {
-          Polygon      polygon = side_polygon(simplex, side);
-          OverlapPiece piece;
-          piece.of   = second ? 1 : 0;
-          piece.side = side;
+          Polygon polygon = side_polygon(simplex, side);
+          SideOf  of{second ? 1 : 0, side};
           for (int k = 0; k < other.count && polygon.count > 0; ++k)
             {
               const Plane &plane = other.side[k];
               if (lies_in(polygon, plane) && plane.normal.dot(own.side[side].normal) > 0)
-                piece.twice = second;
+                of.twice = second;
               else
                 cut(polygon, plane);
             }
           if (polygon.count >= simplex.corners - 1)
-            add_pieces(polygon, piece, pieces);
+            add_pieces(polygon, of, pieces);
         }
     }
 

@@ -1,0 +1,9 @@
+set(optimisation_sources
+  optimisation/direct_search.cc
+  optimisation/evaluated_residuals.cc
+  optimisation/genetic_search.cc
+  optimisation/least_squares_search.cc
+  optimisation/model_noise.cc
+  optimisation/synthetic_calibrations.cc
+  optimisation/references.cc
+)

@@ -1,0 +1,21 @@
+set(statistics_sources
+  statistics/anova.cc
+  statistics/array_check.cc
+  statistics/distributions.cc
+  statistics/emulator.cc
+  statistics/ensemble_sampler.cc
+  statistics/factor.cc
+  statistics/galois_field.cc
+  statistics/gaussian_process.cc
+  statistics/least_squares.cc
+  statistics/level_designs.cc
+  statistics/orthogonal_array.cc
+  statistics/polynomial.cc
+  statistics/posterior.cc
+  statistics/ranges.cc
+  statistics/response_surface.cc
+  statistics/space_filling.cc
+  statistics/surface_designs.cc
+  statistics/uncertainty.cc
+  statistics/references.cc
+)

@@ -1,0 +1,37 @@
+set(apps_sources
+  studies/analysis.cc
+  studies/analysis_json.cc
+  studies/analysis_pictures.cc
+  studies/analysis_report.cc
+  studies/analysis_words.cc
+  studies/calibration.cc
+  studies/calibration_doubts.cc
+  studies/calibration_file.cc
+  studies/calibration_files.cc
+  studies/calibration_jobs.cc
+  studies/calibration_measured.cc
+  studies/calibration_posterior.cc
+  studies/calibration_report.cc
+  studies/calibration_runs.cc
+  studies/child_runs.cc
+  studies/curve_reading.cc
+  studies/folder_lock.cc
+  studies/inversion.cc
+  studies/inversion_report.cc
+  studies/measured_curve.cc
+  studies/replicate_files.cc
+  studies/replicate_picture.cc
+  studies/replicate_statistics.cc
+  studies/replicates.cc
+  studies/run_study.cc
+  studies/scaled_targets.cc
+  studies/scene_entry.cc
+  studies/sought_constants.cc
+  studies/stored_surface.cc
+  studies/study_file.cc
+  studies/study_journal.cc
+  studies/study_plan.cc
+  studies/study_report.cc
+  studies/study_table.cc
+  studies/table_selection.cc
+)
