@@ -1,5 +1,7 @@
 #pragma once
 
+#include "postprocess/files/series.h"
+
 #include <Eigen/Core>
 
 #include <pybind11/numpy.h>
@@ -28,6 +30,17 @@ namespace python
           numbers(static_cast<pybind11::ssize_t>(i), d) = vector[d];
       }
     return array;
+  }
+
+  /** A row of numbers by the names of its columns: (name, unit, value). */
+  inline pybind11::list named_numbers(const std::vector<postprocess::SeriesColumn> &columns,
+                                      const std::vector<double>                    &row)
+  {
+    pybind11::list found;
+    std::size_t    c = 0;
+    for (const postprocess::SeriesColumn &column : columns)
+      found.append(pybind11::make_tuple(column.name, column.unit, row.at(c++)));
+    return found;
   }
 
   inline pybind11::array_t<double> array_of(const std::vector<Eigen::Vector3d> &values)

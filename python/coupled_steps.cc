@@ -6,8 +6,10 @@
 #include "apps/scene/scene_of.h"
 #include "base/errors.h"
 #include "python/arrays.h"
-#include "python/moving_particles.h"
+#include "python/held_groups.h"
+#include "python/node_arrays.h"
 #include "python/signals.h"
+#include "python/specimen_arrays.h"
 
 #include <pybind11/eigen.h>
 #include <pybind11/stl.h>
@@ -119,17 +121,12 @@ namespace python
 
   void CoupledSteps::demand_particle(const std::size_t particle) const
   {
-    const std::size_t count = run->moving().particles().specimen().counts().particles;
-    if (particle >= count)
-      throw std::out_of_range("particle " + std::to_string(particle) + ": there are " + std::to_string(count) +
-                              ", from 0.");
+    demand_one_of("particle", particle, run->moving().particles().specimen().counts().particles);
   }
 
   void CoupledSteps::demand_node(const std::size_t node) const
   {
-    const std::size_t count = moving().nodes().participant().carriers();
-    if (node >= count)
-      throw std::out_of_range("node " + std::to_string(node) + ": there are " + std::to_string(count) + ", from 0.");
+    demand_one_of("node", node, moving().nodes().participant().carriers());
   }
 
   void CoupledSteps::push_particle(const std::size_t particle, const Vector3d &force, const Vector3d &couple)
@@ -181,26 +178,6 @@ namespace python
     return result;
   }
 
-  namespace
-  {
-    py::list row_of(const CoupledSteps &steps)
-    {
-      py::list                  found;
-      const std::vector<double> row = steps.moving().row();
-      std::size_t               c   = 0;
-      for (const auto &column : steps.moving().columns())
-        found.append(py::make_tuple(column.name, column.unit, row.at(c++)));
-      return found;
-    }
-
-    template <typename VectorOfNode>
-    py::array_t<double> of_nodes(const CoupledSteps &steps, const VectorOfNode &vector_of)
-    {
-      const apps::SolidNodes &nodes = steps.moving().nodes();
-      return array_of_vectors(nodes.participant().carriers(), [&](const std::size_t i) { return vector_of(nodes, i); });
-    }
-  } // namespace
-
   void bind_coupled_steps(py::module_ &module)
   {
     using Steps = CoupledSteps;
@@ -221,21 +198,14 @@ namespace python
            [](Steps &s, const double time) {
              return let_interrupt([&](const auto &stop) { return s.advance_to(time, stop); });
            })
-      .def("row", &row_of)
+      .def("row", [](const Steps &s) { return named_numbers(s.moving().columns(), s.moving().row()); })
       .def("surface_forces", &Steps::surface_forces)
       .def(
         "particles",
         [](const py::object &owner) { return views_of(owner, owner.cast<Steps &>().moving().particles().specimen()); })
-      .def("places",
-           [](const Steps &s) { return of_nodes(s, [](const auto &n, const std::size_t i) { return n.place(i); }); })
-      .def("displacement",
-           [](const Steps &s) {
-             return of_nodes(s, [](const auto &n, const std::size_t i) { return n.displacement(i); });
-           })
-      .def("velocity",
-           [](const Steps &s) {
-             return of_nodes(s, [](const auto &n, const std::size_t i) { return n.participant().velocity(i); });
-           })
+      .def("places", [](const Steps &s) { return places_of(s.moving().nodes()); })
+      .def("displacement", [](const Steps &s) { return displacements_of(s.moving().nodes()); })
+      .def("velocity", [](const Steps &s) { return velocities_of(s.moving().nodes()); })
       .def("nodes_on", [](const Steps &s, const std::string &boundary) { return s.moving().nodes().on(boundary); })
       .def("push_particle", &Steps::push_particle)
       .def("push_node", &Steps::push_node)

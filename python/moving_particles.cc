@@ -2,18 +2,13 @@
 
 #include "apps/scene/reader.h"
 #include "apps/scene/scene_of.h"
+#include "base/entry_path.h"
 #include "base/errors.h"
-#include "base/flat_state.h"
-#include "dem/specimen/particle_columns.h"
 #include "python/signals.h"
 #include "python/specimen_arrays.h"
 
 #include <pybind11/eigen.h>
-#include <pybind11/numpy.h>
 #include <pybind11/stl.h>
-
-#include <algorithm>
-#include <stdexcept>
 
 namespace py = pybind11;
 
@@ -29,47 +24,34 @@ namespace python
       throw base::InputError(file + ": Kind = " + scene.kind +
                              ": only scenes of kind particles are moved step by step.");
     apps::with_places(*scene.root, [&] {
+      if (particles->model().precice.given())
+        throw base::EntryError({"preCICE"}, "Participant",
+                               "particles moved step by step are coupled by who moves them.");
       packing = particles->model().packing();
       body    = std::make_unique<apps::ParticlesBody>(particles->model(), packing);
       body->start();
+      driven = std::make_unique<apps::DrivenParticles>(*body);
     });
   }
 
   std::int64_t MovingParticles::advance(const std::int64_t steps, const std::function<bool()> &stop)
   {
-    dem::Partners partners = specimen().partners();
-    std::int64_t  taken    = 0;
+    std::int64_t taken = 0;
     for (; taken < steps && !stop(); ++taken)
-      {
-        partners.clear_forces(); // the scene's are entered anew in every step, and ours beside them
-        body->drive_next_step();
-        for (const auto &[particle, push] : pushes)
-          partners.add_force(particle, push.force, push.couple);
-        specimen().advance(1);
-      }
-    partners.clear_forces();
+      driven->take(specimen().time_step());
     return taken;
   }
 
   void MovingParticles::demand_particle(const std::size_t particle) const
   {
-    if (particle >= packing.size())
-      throw std::out_of_range("particle " + std::to_string(particle) + ": there are " + std::to_string(packing.size()) +
-                              ", from 0.");
-  }
-
-  void MovingParticles::demand_group(const std::size_t group) const
-  {
-    if (std::find(held.begin(), held.end(), group) == held.end())
-      throw std::out_of_range("group " + std::to_string(group) + ": hold() has made no such group.");
+    demand_one_of("particle", particle, packing.size());
   }
 
   void MovingParticles::add_force(const std::size_t particle, const Vector3d &force, const Vector3d &couple)
   {
     demand_particle(particle);
-    Push &push = pushes[particle];
-    push.force += force;
-    push.couple += couple;
+    driven->add_force(particle, force);
+    driven->add_couple(particle, couple);
   }
 
   void MovingParticles::apply_impulse(const std::size_t particle, const Vector3d &change, const Vector3d &spin)
@@ -83,83 +65,39 @@ namespace python
     for (const std::size_t particle : particles)
       demand_particle(particle);
     dem::Grip grip;
-    grip.particles  = particles;
-    grip.prescribed = along;
-    held.push_back(specimen().grips().add(grip));
-    return held.back();
+    grip.particles          = particles;
+    grip.prescribed         = along;
+    const std::size_t group = specimen().grips().add(grip);
+    held.add(group, particles.size());
+    return group;
   }
 
   void MovingParticles::set_velocity(const std::size_t group, const Vector3d &velocity, const Vector3d &spin)
   {
-    demand_group(group);
+    held.members_of(group);
     specimen().grips().set_velocity(group, velocity, spin);
   }
 
   Vector3d MovingParticles::reaction(const std::size_t group) const
   {
-    demand_group(group);
+    held.members_of(group);
     return specimen().grips().reaction(group);
   }
 
   void MovingParticles::save()
   {
-    saved.clear();
-    base::FlatStateWriter writer(saved);
-    body->visit_state(writer);
-    held_then = held.size();
+    driven->save();
+    held.keep();
   }
 
   void MovingParticles::restore()
   {
-    if (saved.empty())
-      throw std::logic_error("no state has been saved.");
-    if (held.size() != held_then)
-      throw std::logic_error("the saved state knows nothing of groups that are held since.");
-    base::FlatStateReader reader(saved);
-    body->visit_state(reader);
+    held.require_kept();
+    driven->restore();
   }
 
   namespace
   {
-    /** Three numbers of each particle's record, where they lie. */
-    py::array_t<double> vectors_in(const py::object &owner, const base::Column &column, const std::size_t particles)
-    {
-      constexpr auto      size = static_cast<py::ssize_t>(sizeof(double));
-      py::array_t<double> view({static_cast<py::ssize_t>(particles), py::ssize_t{3}}, {dem::record_size * size, size},
-                               column.data(), owner);
-      view.attr("flags").attr("writeable") = false;
-      return view;
-    }
-
-    template <typename Value>
-    py::array_t<Value>
-    numbers_in(const py::object &owner, const Value *first, const std::size_t stride, const std::size_t n)
-    {
-      py::array_t<Value> view({static_cast<py::ssize_t>(n)}, {static_cast<py::ssize_t>(stride * sizeof(Value))}, first,
-                              owner);
-      view.attr("flags").attr("writeable") = false;
-      return view;
-    }
-
-  } // namespace
-
-  py::dict views_of(const py::object &owner, const dem::Specimen &specimen)
-  {
-    const dem::Particles &p = dem::particle_columns(specimen);
-    py::dict              views;
-    views["position"]     = vectors_in(owner, p.pose, p.count);
-    views["velocity"]     = vectors_in(owner, p.velocity, p.count);
-    views["force"]        = vectors_in(owner, p.force, p.count);
-    views["radius"]       = numbers_in(owner, p.pose.data() + 6, dem::record_size, p.count);
-    views["mass"]         = numbers_in(owner, p.mass.data(), 1, p.count);
-    views["number"]       = numbers_in(owner, p.number.data(), 1, p.count);
-    views["broken_links"] = numbers_in(owner, p.broken_links.data(), 1, p.count);
-    return views;
-  }
-
-  namespace
-  {
-
     std::int64_t advance(MovingParticles &moving, const std::int64_t steps)
     {
       return let_interrupt([&](const auto &stop) { return moving.advance(steps, stop); });

@@ -1,14 +1,14 @@
 #pragma once
 
-#include "apps/runs/particles/body.h"
+#include "apps/runs/particles/driven_particles.h"
 #include "apps/scene/kinds/read_scene.h"
+#include "python/held_groups.h"
 
 #include <pybind11/pybind11.h>
 
 #include <array>
 #include <cstdint>
 #include <functional>
-#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -30,7 +30,7 @@ namespace python
 
     /** Push a particle in every step until clear_forces() [N, N m]; several add up. @throws std::out_of_range */
     void add_force(std::size_t particle, const Eigen::Vector3d &force, const Eigen::Vector3d &couple);
-    void clear_forces() { pushes.clear(); }
+    void clear_forces() { driven->let_go(); }
     /** Change a particle's velocity at once [m/s, rad/s]. @throws std::out_of_range */
     void apply_impulse(std::size_t particle, const Eigen::Vector3d &change, const Eigen::Vector3d &spin);
     /** Hold particles along x, y, z and about them, at first at rest. @return the group's number @throws std::out_of_range */
@@ -44,25 +44,14 @@ namespace python
     void restore();
 
   private:
-    struct Push
-    {
-      Eigen::Vector3d force = Eigen::Vector3d::Zero(), couple = Eigen::Vector3d::Zero();
-    };
-
     void demand_particle(std::size_t particle) const;
-    void demand_group(std::size_t group) const;
 
-    apps::CheckedScene                   scene;
-    dem::Packing                         packing;
-    std::unique_ptr<apps::ParticlesBody> body;
-    std::map<std::size_t, Push>          pushes;
-    std::vector<std::size_t>             held; ///< numbers of the groups that hold() has made
-    base::Column                         saved;
-    std::size_t                          held_then = 0; ///< groups when the state was kept
+    apps::CheckedScene                     scene;
+    dem::Packing                           packing;
+    std::unique_ptr<apps::ParticlesBody>   body;
+    std::unique_ptr<apps::DrivenParticles> driven;
+    HeldGroups                             held;
   };
-
-  /** Columns of the particles by name, views of what moves. @param owner of the specimen, which they keep alive */
-  pybind11::dict views_of(const pybind11::object &owner, const dem::Specimen &specimen);
 
   void bind_moving_particles(pybind11::module_ &module);
 } // namespace python

@@ -6,13 +6,13 @@
 #include "base/errors.h"
 #include "base/number_text.h"
 #include "python/arrays.h"
+#include "python/node_arrays.h"
 #include "python/signals.h"
 
 #include <pybind11/eigen.h>
 #include <pybind11/stl.h>
 
 #include <algorithm>
-#include <stdexcept>
 
 namespace py = pybind11;
 
@@ -64,15 +64,7 @@ namespace python
 
   void MovingSolid::demand_node(const std::size_t node) const
   {
-    const std::size_t count = body->nodes().participant().carriers();
-    if (node >= count)
-      throw std::out_of_range("node " + std::to_string(node) + ": there are " + std::to_string(count) + ", from 0.");
-  }
-
-  void MovingSolid::demand_group(const std::size_t group) const
-  {
-    if (group >= sizes.size())
-      throw std::out_of_range("group " + std::to_string(group) + ": hold() has made no such group.");
+    demand_one_of("node", node, body->nodes().participant().carriers());
   }
 
   void MovingSolid::add_force(const std::size_t node, const Vector3d &force)
@@ -98,46 +90,37 @@ namespace python
                                    "xyz"[axis] + ".");
       }
     const std::size_t group = body->nodes().participant().prescribe(nodes, along);
-    sizes.push_back(nodes.size());
+    held.add(group, nodes.size());
     return group;
   }
 
   void MovingSolid::set_velocity(const std::size_t group, const Vector3d &velocity)
   {
-    demand_group(group);
-    body->nodes().participant().set_motion(group, std::vector<Vector3d>(sizes[group], velocity));
+    body->nodes().participant().set_motion(group, std::vector<Vector3d>(held.members_of(group), velocity));
   }
 
   Vector3d MovingSolid::reaction(const std::size_t group) const
   {
-    demand_group(group);
+    held.members_of(group);
     return body->nodes().participant().reaction(group, Vector3d::Zero()).force;
   }
 
   void MovingSolid::save()
   {
     body->nodes().participant().save();
-    held_then  = sizes.size();
+    held.keep();
     taken_then = taken;
   }
 
   void MovingSolid::restore()
   {
-    if (sizes.size() != held_then)
-      throw std::logic_error("the saved state knows nothing of groups that are held since.");
+    held.require_kept();
     body->nodes().participant().restore();
     taken = taken_then;
   }
 
   namespace
   {
-    template <typename VectorOfNode>
-    py::array_t<double> of_nodes(const MovingSolid &moving, const VectorOfNode &vector_of)
-    {
-      const apps::SolidNodes &nodes = moving.solid().nodes();
-      return array_of_vectors(nodes.participant().carriers(), [&](const std::size_t i) { return vector_of(nodes, i); });
-    }
-
     py::array_t<double> masses(const MovingSolid &moving)
     {
       const coupling::Participant &nodes = moving.solid().nodes().participant();
@@ -145,16 +128,6 @@ namespace python
       for (std::size_t i = 0; i < found.size(); ++i)
         found[i] = nodes.mass(i);
       return array_of(found);
-    }
-
-    py::list values(const MovingSolid &moving)
-    {
-      py::list                  found;
-      const std::vector<double> row = moving.solid().row();
-      std::size_t               c   = 0;
-      for (const auto &column : moving.solid().columns())
-        found.append(py::make_tuple(column.name, column.unit, row.at(c++)));
-      return found;
     }
   } // namespace
 
@@ -168,21 +141,12 @@ namespace python
       .def_property_readonly("longest_step", [](const Moving &m) { return m.solid().longest_step(); })
       .def_property_readonly("steps", &Moving::steps)
       .def("set_time_step", &Moving::set_time_step)
-      .def("places",
-           [](const Moving &m) {
-             return of_nodes(m, [](const auto &nodes, const std::size_t i) { return nodes.place(i); });
-           })
-      .def("displacement",
-           [](const Moving &m) {
-             return of_nodes(m, [](const auto &nodes, const std::size_t i) { return nodes.displacement(i); });
-           })
-      .def("velocity",
-           [](const Moving &m) {
-             return of_nodes(m, [](const auto &nodes, const std::size_t i) { return nodes.participant().velocity(i); });
-           })
+      .def("places", [](const Moving &m) { return places_of(m.solid().nodes()); })
+      .def("displacement", [](const Moving &m) { return displacements_of(m.solid().nodes()); })
+      .def("velocity", [](const Moving &m) { return velocities_of(m.solid().nodes()); })
       .def("mass", &masses)
       .def("nodes_on", [](const Moving &m, const std::string &boundary) { return m.solid().nodes().on(boundary); })
-      .def("values", &values)
+      .def("values", [](const Moving &m) { return named_numbers(m.solid().columns(), m.solid().row()); })
       .def("advance",
            [](Moving &m, const std::int64_t steps) {
              return let_interrupt([&](const auto &stop) { return m.advance(steps, stop); });

@@ -2,6 +2,7 @@
 
 #include "apps/runs/continuum/moving_solid.h"
 #include "apps/scene/kinds/read_scene.h"
+#include "python/held_groups.h"
 #include "python/until_exit.h"
 
 #include <pybind11/pybind11.h>
@@ -52,14 +53,12 @@ namespace python
 
   private:
     void demand_node(std::size_t node) const;
-    void demand_group(std::size_t group) const;
 
     apps::CheckedScene                 scene;
     std::unique_ptr<apps::MovingSolid> body;
     double                             own_step = 0; ///< that was set; 0: none [s]
     std::int64_t                       taken = 0, taken_then = 0;
-    std::vector<std::size_t>           sizes;         ///< of the groups that hold() has made
-    std::size_t                        held_then = 0; ///< groups when the state was kept
+    HeldGroups                         held;
   };
 
   void bind_moving_solid(pybind11::module_ &module);

@@ -1,5 +1,6 @@
 #include "python/run_of_scene.h"
 
+#include "apps/results/run_files.h"
 #include "apps/results/run_observer.h"
 #include "apps/results/run_report.h"
 #include "apps/scene/kinds/read_scene.h"
@@ -65,8 +66,9 @@ namespace python
                              ": Replicates: several runs are made by \"breccia run\"; here the seeds are changed.");
     apps::RunRequest request = apps::request_of(scene);
     request.output_folder    = choice.folder;
-    request.resume           = choice.resume;
-    request.overrides        = scene.overrides;
+    if (choice.resume)
+      apps::ask_to_go_on(request);
+    request.overrides = scene.overrides;
     return request;
   }
 

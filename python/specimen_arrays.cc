@@ -1,5 +1,7 @@
 #include "python/specimen_arrays.h"
 
+#include "dem/model/particles.h"
+#include "dem/specimen/particle_columns.h"
 #include "python/arrays.h"
 
 namespace py = pybind11;
@@ -40,5 +42,42 @@ namespace python
     columns["damage"]        = array_of(found.damage);
     columns["dissipated"]    = array_of(found.dissipated);
     return columns;
+  }
+
+  namespace
+  {
+    /** Three numbers of each particle's record, where they lie. */
+    py::array_t<double> vectors_in(const py::object &owner, const base::Column &column, const std::size_t particles)
+    {
+      constexpr auto      size = static_cast<py::ssize_t>(sizeof(double));
+      py::array_t<double> view({static_cast<py::ssize_t>(particles), py::ssize_t{3}}, {dem::record_size * size, size},
+                               column.data(), owner);
+      view.attr("flags").attr("writeable") = false;
+      return view;
+    }
+
+    template <typename Value>
+    py::array_t<Value>
+    numbers_in(const py::object &owner, const Value *first, const std::size_t stride, const std::size_t n)
+    {
+      py::array_t<Value> view({static_cast<py::ssize_t>(n)}, {static_cast<py::ssize_t>(stride * sizeof(Value))}, first,
+                              owner);
+      view.attr("flags").attr("writeable") = false;
+      return view;
+    }
+  } // namespace
+
+  py::dict views_of(const py::object &owner, const dem::Specimen &specimen)
+  {
+    const dem::Particles &p = dem::particle_columns(specimen);
+    py::dict              views;
+    views["position"]     = vectors_in(owner, p.pose, p.count);
+    views["velocity"]     = vectors_in(owner, p.velocity, p.count);
+    views["force"]        = vectors_in(owner, p.force, p.count);
+    views["radius"]       = numbers_in(owner, p.pose.data() + 6, dem::record_size, p.count);
+    views["mass"]         = numbers_in(owner, p.mass.data(), 1, p.count);
+    views["number"]       = numbers_in(owner, p.number.data(), 1, p.count);
+    views["broken_links"] = numbers_in(owner, p.broken_links.data(), 1, p.count);
+    return views;
   }
 } // namespace python

@@ -3,6 +3,7 @@
 #include "apps/process/exit_status.h"
 #include "apps/process/interrupt.h"
 #include "apps/process/mpi_session.h"
+#include "apps/results/run_files.h"
 #include "apps/results/run_report.h"
 #include "apps/results/run_result.h"
 #include "apps/results/terminal.h"
@@ -40,9 +41,10 @@ namespace apps
       catch_interrupts();
 
       RunRequest request = request_of(scene);
-      request.resume     = options.resume;
       request.restart    = options.restart;
-      request.overrides  = options.overrides;
+      if (options.resume)
+        ask_to_go_on(request);
+      request.overrides = options.overrides;
       if (scene.replicates > 1)
         return run_replicates(
           scene, request,

@@ -61,6 +61,7 @@ set(apps_commands_sources
   program.cc
   commands/report.cc
   commands/validate.cc
+  validation/scene_references.cc
   validation/validation.cc
   commands/diff.cc
   commands/new.cc

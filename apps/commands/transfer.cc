@@ -1,6 +1,7 @@
 #include "apps/commands/command.h"
 #include "apps/commands/scene_options.h"
 #include "apps/process/interrupt.h"
+#include "apps/results/run_files.h"
 #include "apps/results/run_report.h"
 #include "apps/results/run_result.h"
 #include "apps/results/terminal.h"
@@ -39,10 +40,11 @@ namespace apps
       catch_interrupts();
 
       RunRequest request = request_of(scene);
-      request.resume     = options.resume;
       request.restart    = options.restart;
-      request.command    = options.identify ? "transfer --identify" : "transfer";
-      request.overrides  = options.overrides;
+      if (options.resume)
+        ask_to_go_on(request);
+      request.command   = options.identify ? "transfer --identify" : "transfer";
+      request.overrides = options.overrides;
       RunReport report(request);
       Terminal  terminal;
       if (scene.report)

@@ -11,7 +11,17 @@ namespace apps
   {
     constexpr const char *scene_name  = "scene.prm";
     constexpr const char *series_name = "series.csv";
-  } // namespace
+    constexpr const char *begun_with  = "scene_file"; // text of a checkpoint
+  }                                                   // namespace
+
+  void ask_to_go_on(RunRequest &request)
+  {
+    request.resume = true;
+    const std::string begun =
+      postprocess::text_of_checkpoint(request.output_folder / "running" / checkpoint_name, begun_with);
+    if (!begun.empty())
+      request.scene_file = begun;
+  }
 
   RunFiles::RunFiles(const RunRequest &asked)
     : request(asked)
@@ -53,6 +63,7 @@ namespace apps
     auto checkpoint =
       std::make_unique<postprocess::CheckpointWriter>(running() / checkpoint_name, request.deciding_text);
     checkpoint->text("inputs", listed(request.inputs));
+    checkpoint->text(begun_with, request.scene_file);
     return checkpoint;
   }
 

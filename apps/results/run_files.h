@@ -11,6 +11,9 @@
 
 namespace apps
 {
+  /** Ask for a run to go on: under the name of the scene that it was begun with, not of its copy in the folder. */
+  void ask_to_go_on(RunRequest &request);
+
   /**
    * The files that every run has: in the folder "running" below the results scene.prm, series.csv and checkpoint.h5; at the end
    * summary.json. Under MPI the first rank has them.

@@ -22,19 +22,24 @@ namespace apps
   {
     using Rows = std::vector<std::vector<std::string>>;
 
+    std::string number_word(const double value) { return fmt::format("{:.6g}", value + 0.0); } // no sign of a zero
+
     std::string word_of(const nlohmann::json &value)
     {
-      return value.is_number_float() ? fmt::format("{:.6g}", value.get<double>()) :
+      return value.is_number_float() ? number_word(value.get<double>()) :
              value.is_string()       ? value.get<std::string>() :
                                        value.dump();
     }
 
-    /** Numbers and words of an object, in its order. */
+    /** Numbers and words of an object, in its order; a unit that it has stands above them. */
     Rows table_of(const nlohmann::json &object, const std::string &head)
     {
-      Rows rows = {{head, "value"}};
+      const std::string unit = object.value("unit", "");
+      Rows              rows = {{head, unit.empty() ? "value" : "value [" + unit + "]"}};
       for (const auto &[name, value] : object.items())
-        if (!value.is_structured())
+        if (name == "unit")
+          continue;
+        else if (!value.is_structured())
           rows.push_back({name, word_of(value)});
         else if (value.is_object() && value.contains("value"))
           rows.push_back({name, word_of(value["value"]) + " " + value.value("unit", "")});
@@ -75,8 +80,7 @@ namespace apps
       for (const std::string &name : result.figures())
         {
           const Figure figure = result.figure(name);
-          rows.push_back(
-            {name, figure.value ? fmt::format("{:.6g}", *figure.value) : figure.not_determined, figure.unit});
+          rows.push_back({name, figure.value ? number_word(*figure.value) : figure.not_determined, figure.unit});
         }
       page.heading("Figures");
       page.table(rows);

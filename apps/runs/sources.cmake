@@ -22,6 +22,7 @@ set(runs_sources
   models/material_interface.cc
   models/material_region.cc
   models/output.cc
+  models/precice.cc
   models/region.cc
   models/specimen.cc
   models/specimen_parameters.cc
@@ -77,6 +78,7 @@ set(runs_sources
   runs/particles/break_results.cc
   runs/particles/clumps.cc
   runs/particles/damped_fall.cc
+  runs/particles/driven_particles.cc
   runs/particles/forces.cc
   runs/particles/forecast.cc
   runs/particles/probes.cc
@@ -208,6 +210,7 @@ set(runs_solids_sources
   runs/continuum/one_step.cc
   runs/continuum/picture.cc
   runs/continuum/picture_facets.cc
+  runs/continuum/precice_analysis.cc
   runs/continuum/run.cc
   runs/continuum/forecast.cc
   runs/continuum/snapshot.cc

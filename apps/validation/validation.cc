@@ -1,7 +1,9 @@
 #include "apps/validation/validation.h"
 
 #include "apps/optimisation/references.h"
+#include "apps/process/mpi_session.h"
 #include "apps/statistics/references.h"
+#include "apps/validation/scene_references.h"
 #include "base/stopwatch.h"
 #include "coupling/references/references.h"
 #include "dem/references/references.h"
@@ -60,7 +62,7 @@ namespace apps
     std::vector<base::Reference> all;
     for (const std::vector<base::Reference> *const room :
          {&dem::all_references(), &fem::all_references(), &coupling::all_references(), &statistics::all_references(),
-          &optimisation::all_references()})
+          &optimisation::all_references(), &scene_references()})
       all.insert(all.end(), room->begin(), room->end());
     return all;
   }
@@ -82,6 +84,7 @@ namespace apps
 
   ComparedReference compared(const base::Reference &reference)
   {
+    start_mpi(); // solids need it
     const base::Stopwatch watch;
     base::Comparisons     rows;
     reference.compare(rows);

@@ -12,6 +12,7 @@ from mkdocs.structure.files import File
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 KATEX = "/usr/share/javascript/katex"
 SCRIPTS = ("katex.min.css", "katex.min.js", "contrib/auto-render.js")
+OF_PYTHON = ("python.md", "notebooks.md")  # tutorials with a tab of their own
 OUTSIDE = {"CONTRIBUTING.md": "contributing.md", "CHANGELOG.md": "changelog.md"}
 # Formulas as the pages have them, in the notation that GitHub and GitLab share.
 INLINE = re.compile(r"\$`([^`]+)`\$")
@@ -47,7 +48,7 @@ def title_of_notebook(name):
 
 
 def pages_of(folder, tables):
-    return [{name[0].upper() + name[1:]: [{title_of(f"doc/{folder}/{page}"): f"{folder}/{page}"} for page, _ in pages]}
+    return [{name[0].upper() + name[1:]: [{title_of(f"doc/{folder}/{page}"): f"{folder}/{page}"} for page, _ in pages if page not in OF_PYTHON]}
             for name, pages in tables]
 
 
@@ -91,7 +92,8 @@ def on_config(config):
     of_python = [{title_of_notebook(name): f"notebooks/{name}.md"} for name in notebooks()]
     config.nav = [{"Breccia": "index.md"}, {"Tutorials": ["tutorials/README.md", *tutorials]},
                   {"Theory": ["theory/README.md", *theory, {"Equations": "theory/equations.md"}]},
-                  {"Notebooks": ["tutorials/notebooks.md", *of_python]}, {"Parameters": "parameters.md"}, {"Files": "formats.md"}, {"Hard cases": "hard-cases.md"},
+                  {"Python": ["tutorials/python.md", {"Notebooks": ["tutorials/notebooks.md", *of_python]}]},
+                  {"Parameters": "parameters.md"}, {"Files": "formats.md"}, {"Validation": "validation.md"}, {"Hard cases": "hard-cases.md"},
                   {"Contributing": "contributing.md"}, {"Changes": "changelog.md"}]
     return config
 
@@ -115,7 +117,7 @@ def copied(files, config, folder, uri, name):
 
 
 def on_files(files, config):
-    for file in [f for f in files if f.src_path.endswith((".py", ".ipynb"))]:
+    for file in [f for f in files if f.src_path.endswith((".py", ".ipynb")) or f.src_path.startswith("site/theme/")]:
         files.remove(file)
     for name in notebooks():
         generated(files, config, f"notebooks/{name}.md", page_of_notebook(name))
@@ -187,3 +189,20 @@ def on_page_markdown(markdown, page, config, files):
     if page.file.src_path == "tutorials/README.md":
         markdown = re.sub(r"\n\|.*", "", markdown) + "\n" + cards()
     return markdown
+
+
+def on_post_build(config):
+    """What a page that is opened as a file needs for its search, as one script: browsers let it read nothing else."""
+    site = config.site_dir
+    with open(os.path.join(site, "search", "search_index.json"), encoding="utf-8") as file:
+        index = file.read()
+    workers = os.path.join(site, "assets", "javascripts", "workers")
+    name = next(name for name in os.listdir(workers) if name.endswith(".js"))
+    with open(os.path.join(workers, name), encoding="utf-8") as file:
+        worker = file.read()
+    with open(os.path.join(site, "search", "offline.js"), "w", encoding="utf-8") as file:
+        file.write(f"""var __search = {{ index: Promise.resolve({index}) }}
+var Worker = class extends window.Worker {{
+  constructor() {{ super(URL.createObjectURL(new Blob([{json.dumps(worker)}], {{ type: "text/javascript" }}))) }}
+}}
+""")

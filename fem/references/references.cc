@@ -1,6 +1,7 @@
 #include "fem/references/references.h"
 
 #include "fem/references/concrete.h"
+#include "fem/references/solids.h"
 
 namespace fem
 {
@@ -23,7 +24,14 @@ namespace fem
       {"concrete in oedometric and hydrostatic strain", independent, references::confined_strain},
       {"concrete on a non-proportional path", independent, references::non_proportional_path},
       {"concrete of the sequential mapping in compression", "Stransky (2018), by OOFEM 2.3",
-       references::published_compression}};
+       references::published_compression},
+      {"solid: Cook's membrane", "Simo and Rifai (1990), converged in plane stress", references::cook_membrane},
+      {"solid: cantilever under its own weight", "Timoshenko's beam, closed form", references::cantilever_of_weight},
+      {"solid: plate with a hole", "Kirsch (1898), closed form", references::hole_in_plate},
+      {"solid: cube of St. Venant and Kirchhoff's material stretched by 0.3", "closed form, nominal stress",
+       references::stretched_cube},
+      {"solid: thick cylinder that hardly changes its volume", "Lame, closed form, Poisson ratio 0.4999",
+       references::thick_cylinder}};
     return all;
   }
 } // namespace fem

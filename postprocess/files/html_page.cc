@@ -30,7 +30,8 @@ namespace postprocess
 
     bool looks_like_a_number(const std::string &cell)
     {
-      return !cell.empty() && cell.find_first_not_of("0123456789+-.e") == std::string::npos;
+      return cell.find_first_of("0123456789") != std::string::npos &&
+             cell.find_first_not_of("0123456789+-.e") == std::string::npos;
     }
   } // namespace
 

@@ -75,7 +75,9 @@ namespace postprocess
     const auto   scene = between(page, from, scene_opening, scene_closing);
     if (!scene)
       throw base::InputError(
-        origin + ": there is no scene in this page; pages of runs, as \"breccia report\" writes them, have one.");
+        origin +
+        ": there is no scene in this page; pages of runs, as \"breccia report\" writes them, have one. A study's "
+        "page has its file instead: save what stands under that, and \"breccia study FILE\" runs it again.");
     found.scene = unescaped(*scene);
     from        = 0;
     while (const auto file = between(page, from, attachment_opening, attachment_closing))

@@ -218,4 +218,17 @@ namespace postprocess
       if (self->visited.count(name) == 0)
         self->refuse("holds \"" + name + "\", which this program does not know: it was made by another version.");
   }
+
+  std::string text_of_checkpoint(const std::filesystem::path &path, const std::string &name)
+  {
+    try
+      {
+        const hdf5::InputFile file(path.string());
+        return file.has(name) ? file.read_text(name) : "";
+      }
+    catch (const base::InputError &) // whoever reads its state says what is wrong with it
+      {
+        return "";
+      }
+  }
 } // namespace postprocess

@@ -74,4 +74,7 @@ namespace postprocess
     struct Implementation;
     std::unique_ptr<Implementation> self;
   };
+
+  /** A text of a checkpoint, whatever scene and state it is of; "" where there is none. */
+  std::string text_of_checkpoint(const std::filesystem::path &path, const std::string &name);
 } // namespace postprocess

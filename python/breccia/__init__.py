@@ -1,19 +1,27 @@
 """Breccia from Python: scenes as dictionaries, runs as functions, results as arrays and tables. SI units throughout."""
 
+import difflib
 import json
 import os
-from collections.abc import MutableMapping
+import sys
+from collections.abc import Mapping, MutableMapping
 from types import SimpleNamespace
 from typing import NamedTuple, Optional
 
 # Threads that wait for each other shall soon sleep; the library reads this when it is loaded.
 os.environ.setdefault("GOMP_SPINCOUNT", "1000")
 
-from . import _breccia  # noqa: E402
+try:
+    import numpy  # noqa: F401
+
+    from . import _breccia
+except ImportError as missing:
+    raise ImportError(f"breccia is built for Debian's Python, /usr/bin/python3; in this one, {sys.executable}: {missing}") from missing
+
 from ._breccia import InputError, NumericalError, OutputError  # noqa: E402
 from .cells import Cell  # noqa: E402
 from .drivers import homogenise, link_test, point_test  # noqa: E402
-from .steps import CoupledRun, Solid  # noqa: E402
+from .steps import CoupledRun, Particles, Solid  # noqa: E402
 from .values import as_text, as_value  # noqa: E402
 
 __version__ = _breccia.version
@@ -39,6 +47,8 @@ class Scene(MutableMapping):
     def __init__(self, file, changes=None):
         self.file = os.fspath(file)
         self._changes = {}
+        if changes is not None and not isinstance(changes, Mapping):
+            raise InputError(f"changes = {changes!r}: expected a dictionary of values by the paths of entries.")
         self.update(changes or {})
         self._entries()  # refuses what cannot be read
 
@@ -50,8 +60,15 @@ class Scene(MutableMapping):
     def _entries(self):
         return {path: rest for path, *rest in _breccia.entries(self.file, self.words)}
 
+    def _entry(self, path):
+        entries = self._entries()
+        if path not in entries:
+            near = difflib.get_close_matches(str(path), entries, 1)
+            raise KeyError(f"{self.file} has no entry {path}." + (f" Did you mean {near[0]}?" if near else ""))
+        return entries[path]
+
     def __getitem__(self, path):
-        value, unit, kind, _ = self._entries()[path]
+        value, unit, kind, _ = self._entry(path)
         return as_value(value, unit, kind)
 
     def __setitem__(self, path, value):
@@ -59,6 +76,8 @@ class Scene(MutableMapping):
 
     def __delitem__(self, path):
         """Back to what the file says."""
+        if path not in self._changes:
+            raise KeyError(f"{path} has not been changed.")
         del self._changes[path]
 
     def __iter__(self):
@@ -69,11 +88,11 @@ class Scene(MutableMapping):
 
     def unit(self, path):
         """Of an entry; "-" of a pure number, "" of what is none."""
-        return self._entries()[path][1]
+        return self._entry(path)[1]
 
     def meaning(self, path):
         """Of an entry, a sentence."""
-        return self._entries()[path][3]
+        return self._entry(path)[3]
 
     def check(self):
         """What a run would take, in the words of `breccia check`. Raises InputError."""
@@ -87,6 +106,8 @@ class Scene(MutableMapping):
         KeyboardInterrupt. Raises InputError, NumericalError, OutputError.
         """
         folder = "" if folder is None else os.fspath(folder)
+        if on_sample is not None and not callable(on_sample):
+            raise InputError(f"on_sample = {on_sample!r}: expected a function of a row of the series.")
         return Result(_breccia.run(self.file, self.words, folder, resume, on_sample))
 
     def particles(self):
@@ -102,89 +123,6 @@ class Scene(MutableMapping):
         Raises InputError, OutputError."""
         folder = "" if folder is None else os.fspath(folder)
         return CoupledRun(_breccia.CoupledSteps(self.file, self.words, folder, resume), Result)
-
-
-class Particles:
-    """Particles that a program moves step by step, beside what their scene does to them. Numbers are those of the packing, from 0.
-
-    position, velocity, force (n, 3), radius, mass, number, broken_links (n): arrays that show the particles as they are now, without
-    copies; they follow every step and cannot be written to. Their order is the program's own: number says which particle of the packing
-    each is. Positions [m], velocities half a step back [m/s], forces at the start of the last step [N].
-    """
-
-    def __init__(self, moving):
-        self._moving = moving
-        for name, view in moving.views().items():
-            setattr(self, name, view)
-
-    @property
-    def time(self):
-        """Now [s]."""
-        return self._moving.time
-
-    @property
-    def steps(self):
-        """Taken since the start."""
-        return self._moving.steps
-
-    @property
-    def time_step(self):
-        """In use [s]; may be set, up to longest_step."""
-        return self._moving.time_step
-
-    @time_step.setter
-    def time_step(self, step):
-        self._moving.set_time_step(step)
-
-    @property
-    def longest_step(self):
-        """That may be set now [s]."""
-        return self._moving.longest_step
-
-    @property
-    def energies(self):
-        """By name [J], and balance_error [-]."""
-        return self._moving.energies()
-
-    def advance(self, steps=1):
-        """Take steps. Other threads go on; Ctrl-C ends after a step with KeyboardInterrupt. Raises NumericalError."""
-        return self._moving.advance(steps)
-
-    def add_force(self, particle, force, couple=(0, 0, 0)):
-        """Push a particle from outside in every step until clear_forces() [N, N m]; several add up; work counts as external."""
-        self._moving.add_force(particle, force, couple)
-
-    def clear_forces(self):
-        """Let go of all that add_force() pushes."""
-        self._moving.clear_forces()
-
-    def apply_impulse(self, particle, change, spin=(0, 0, 0)):
-        """Change a particle's velocity at once [m/s, rad/s]."""
-        self._moving.apply_impulse(particle, change, spin)
-
-    def hold(self, particles, along=(True,) * 6):
-        """From now on these move as set_velocity() says along x, y, z and about them, at first not at all. Returns the group's number."""
-        return self._moving.hold(list(particles), along)
-
-    def set_velocity(self, group, velocity, spin=(0, 0, 0)):
-        """Of a held group [m/s, rad/s]."""
-        self._moving.set_velocity(group, velocity, spin)
-
-    def reaction(self, group):
-        """Force that holds a group, at the start of the last step [N]."""
-        return self._moving.reaction(group)
-
-    def links(self):
-        """The links as they are now, as of Result.links(): copies."""
-        return SimpleNamespace(**self._moving.links())
-
-    def save(self):
-        """Keep the present state in memory, histories included; one at a time. Held groups are to be made before."""
-        self._moving.save()
-
-    def restore(self):
-        """Back to it, as often as wanted: the same steps give the same bits."""
-        self._moving.restore()
 
 
 class Result:

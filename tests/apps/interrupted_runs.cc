@@ -33,6 +33,17 @@ namespace apps_tests
       CHECK_THAT(stopped.err, Catch::Contains("Go on with: breccia run results/running/scene.prm --resume"));
       return {"run", "results/running/scene.prm", "--resume"};
     }
+
+    /** Pictures have the scene's name in their titles, whichever copy of it a run went on from. */
+    void check_pictures(const std::filesystem::path &folder, const std::filesystem::path &whole)
+    {
+      for (const auto &entry : std::filesystem::directory_iterator(whole))
+        if (const auto name = entry.path().filename(); name.extension() == ".png")
+          {
+            INFO(name.string());
+            CHECK((content_of(folder / name) == content_of(whole / name)));
+          }
+    }
   } // namespace
 
   Outcome interrupted_run(const ScratchFolder &folder, const InterruptedRun &what, const int signal)
@@ -71,6 +82,7 @@ namespace apps_tests
         INFO(resumed.err);
         REQUIRE(resumed.status == apps::exit_success);
         CHECK(what.reproducible_part(folder / "results") == what.reproducible_part(folder / "whole"));
+        check_pictures(folder / "results", folder / "whole");
       }
   }
 } // namespace apps_tests

@@ -2,10 +2,12 @@
 #include "tests/apps/program.h"
 #include "tests/apps/scenes.h"
 #include "tests/apps/scratch_folder.h"
+#include "tests/places.h"
 
 #include <catch2/catch.hpp>
 
 #include <cstdlib>
+#include <iostream>
 
 using namespace apps_tests;
 using Catch::Contains;
@@ -50,6 +52,25 @@ TEST_CASE("Completion for bash offers commands, their options, choices of these,
   CHECK(offered(folder, script, "breccia shell z") == "zsh\n");
   folder.file("some_scene.prm", "");
   CHECK(offered(folder, script, "breccia run some_") == "some_scene.prm\n");
+}
+
+TEST_CASE("Completion for zsh completes commands, their options, choices of these, and files, in zsh itself",
+          "[apps][zsh]")
+{
+  if (std::system("command -v zsh > /dev/null") != 0)
+    {
+      std::cout << "Skipped: there is no zsh.\n";
+      return;
+    }
+  const ScratchFolder folder;
+  folder.file("_breccia", printed(folder, "zsh"));
+  folder.file("some_scene.prm", "");
+  const std::string command =
+    "timeout 60 zsh -f " + places::sources() + "/tests/apps/completion.zsh " + folder.path().string() +
+    " 'breccia va' 'breccia run --resu' 'breccia shell z' 'breccia run some_' > " + (folder / "offered").string();
+  REQUIRE(std::system(command.c_str()) == 0);
+  CHECK(content_of(folder / "offered") ==
+        "breccia validate \nbreccia run --resume \nbreccia shell zsh \nbreccia run some_scene.prm \n");
 }
 
 TEST_CASE("Completion for zsh and the page for man have every command with its options", "[apps]")

@@ -27,7 +27,7 @@ set(fem_rooms base)
 set(fem_libraries deal.II/ umfpack.h cholmod.h mpi.h Eigen/ Epetra_ Teuchos_)
 # Adapters and writers speak the types in the interfaces of both sides.
 set(coupling_rooms base dem fem)
-set(coupling_libraries deal.II/ mpi.h Eigen/ unsupported/Eigen/ omp.h) # omp.h: its tests choose the number of threads
+set(coupling_libraries deal.II/ mpi.h Eigen/ unsupported/Eigen/ precice/ omp.h) # omp.h: its tests choose the number of threads
 set(postprocess_rooms base dem fem)
 set(postprocess_libraries deal.II/ mpi.h Eigen/ hdf5 vtk fmt/ nlohmann/)
 set(apps_rooms base dem fem coupling postprocess)

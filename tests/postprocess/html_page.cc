@@ -22,13 +22,13 @@ TEST_CASE("a page is one file that asks nothing of another place, with what it i
 {
   postprocess::HtmlPage page("A & <b>");
   page.list({});
-  page.table({{"name", "value"}, {"a<b", "-1.5e+03"}, {"word", "3 to 4"}});
+  page.table({{"name", "value"}, {"a<b", "-1.5e+03"}, {"word", "3 to 4"}, {"unit", "-"}});
   page.folded("file", "set Kind = \"x\"");
   page.picture("gone.png", "nothing"); // costs no report
   const std::string text = page.text();
   CHECK_THAT(text, Contains("<title>A &amp; &lt;b&gt;</title>") &&
                      Contains("<td>a&lt;b</td><td class=\"n\">-1.5e+03</td>") && Contains("<td>3 to 4</td>") &&
-                     Contains("set Kind = &quot;x&quot;"));
+                     Contains("<td>-</td>") && Contains("set Kind = &quot;x&quot;"));
   CHECK_THAT(text, !Contains("<ul>") && !Contains("<img") && !Contains("http"));
 }
 

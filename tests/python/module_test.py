@@ -276,6 +276,32 @@ class ParticlesTest(unittest.TestCase):
         with self.assertRaisesRegex(breccia.InputError, "kind particles"):
             breccia.Scene(SOLID).particles()
 
+    def test_wrong_arguments_are_refused_with_what_was_found_and_is_expected(self):
+        particles, nan = self.ball()[0], float("nan")
+        for words, mistake in {
+            r"force = \(0, 1\): expected three finite numbers": lambda: particles.add_force(0, (0, 1)),
+            r"force = \(nan, 0, 0\): expected three finite": lambda: particles.add_force(0, (nan, 0, 0)),
+            r"couple = 'abc': expected three finite": lambda: particles.add_force(0, (0, 0, 1), "abc"),
+            r"change = 3: expected three finite": lambda: particles.apply_impulse(0, 3),
+            r"particle = -1: expected a whole number from 0 on": lambda: particles.add_force(-1, (0, 0, 1)),
+            r"particle = 1.5: expected a whole number": lambda: particles.apply_impulse(1.5, (0, 0, 1)),
+            r"particles = 0: expected a list": lambda: particles.hold(0),
+            r"along = \(True,\): expected 6 of True or False": lambda: particles.hold([0], (True,)),
+            r"steps = -1: expected a whole number": lambda: particles.advance(-1),
+            r"steps = '3': expected a whole number": lambda: particles.advance("3"),
+            r"time_step = 'a': expected a finite number": lambda: setattr(particles, "time_step", "a"),
+            r"changes = \['a=b'\]: expected a dictionary": lambda: breccia.Scene(BALL, ["a=b"]),
+            r"on_sample = 5: expected a function": lambda: breccia.Scene(BALL).run(on_sample=5),
+        }.items():
+            with self.subTest(words), self.assertRaisesRegex(breccia.InputError, words):
+                mistake()
+        scene = breccia.Scene(BALL)
+        with self.assertRaisesRegex(KeyError, "no entry Time/End tim. Did you mean Time/End time?"):
+            scene["Time/End tim"]
+        with self.assertRaisesRegex(KeyError, "has not been changed"):
+            del scene["Time/End time"]
+        self.assertNotIn("Time/End tim", scene)
+
 
 def rows_of_program(command, constants, path):
     """What a driver of the terminal answers to a path, as rows of texts."""
@@ -401,9 +427,9 @@ class HomogeniseTest(unittest.TestCase):
 
 
 class PageTest(unittest.TestCase):
-    def test_example_of_the_page_runs_in_fifteen_lines(self):
-        page = pathlib.Path(root, "doc/tutorials/python.md").read_text()
-        example = re.search(r"```python\n(.*?)```", page, re.S).group(1)
+    def names_of_example(self, page):
+        """What the first example of a page leaves behind, which has fifteen lines at most."""
+        example = re.search(r"```python\n(.*?)```", pathlib.Path(root, page).read_text(), re.S).group(1)
         self.assertLessEqual(len([line for line in example.splitlines() if line.strip()]), 15)
         found = {}
         with tempfile.TemporaryDirectory() as folder:
@@ -411,12 +437,16 @@ class PageTest(unittest.TestCase):
             os.chdir(folder)
             os.symlink(os.path.join(root, "apps"), "apps")
             try:
-                exec(compile(example, "python.md", "exec"), found)
+                exec(compile(example, page, "exec"), found)
             finally:
                 os.chdir(here)
-        strengths = found["strengths"]
+        return found
+
+    def test_examples_of_the_page_and_of_the_readme_run_in_fifteen_lines(self):
+        strengths = self.names_of_example("doc/tutorials/python.md")["strengths"]
         self.assertEqual(list(strengths), [2e6, 3e6, 4e6])
         self.assertLess(strengths[2e6], strengths[4e6])
+        self.assertEqual(self.names_of_example("README.md")["result"].figure("tensile_strength").value, strengths[3e6])
 
 
 if __name__ == "__main__":

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "apps/runs/continuum/probes.h"
 #include "apps/runs/continuum/model.h"
+#include "apps/runs/continuum/probes.h"
 #include "base/state.h"
 #include "fem/explicit/explicit_solver.h"
 #include "fem/solvers/step_control.h"
@@ -43,6 +43,11 @@ namespace apps
 
     /** How bodies have touched; nullptr where none can. */
     virtual const ContactFigures *contact_figures() const { return nullptr; }
+
+    /** What has ended it before its end; "": nothing. */
+    virtual std::string ended_by() const { return ""; }
+    /** What a user should doubt; "": nothing. */
+    virtual std::string warning() const { return ""; }
 
     /** The solver of a static analysis; nullptr of others. */
     virtual fem::StaticSolver<dim> *static_solver() { return nullptr; }

@@ -72,6 +72,8 @@ namespace apps
   template <int dim>
   std::unique_ptr<ContinuumAnalysis<dim>> make_explicit_analysis(fem::Solid<dim> &solid, const ContinuumModel &model)
   {
+    if (model.precice.given())
+      return make_precice_analysis(solid, model);
     if (!model.contacts.empty() || !model.motion.rigid.empty())
       return make_contact_analysis(solid, model);
     return std::make_unique<ExplicitAnalysis<dim>>(solid, model);

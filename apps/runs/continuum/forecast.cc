@@ -63,6 +63,8 @@ namespace apps
           text += fmt::format("  time step    {:.4g} s, critical {:.4g} s\n  steps        {:.0f}\n",
                               cost.at("time_step"), cost.at("critical_step"), steps);
         }
+      if (model.precice.given()) // nobody is there to be rehearsed with
+        return text + model.precice.forecast(run.body().boundary_dofs(model.precice.vertices, 0).size());
       try
         {
           const ExpectedRun found    = expected(run, model, states);

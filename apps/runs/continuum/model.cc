@@ -47,6 +47,11 @@ namespace apps
       points.push_back(point->name);
     if (is_static())
       control.check(root, points);
+    precice.check(root);
+    if (precice.given() && is_static())
+      root.at("preCICE").refuse("Participant", "only a solid in motion is coupled: Model/Analysis = explicit.");
+    if (precice.given() && (!contacts.empty() || !motion.rigid.empty()))
+      root.at("preCICE").refuse("Participant", "a solid whose bodies touch, or do not deform, cannot go back in time.");
   }
 
   void ContinuumModel::check_as_part(const base::EntryPath &root) const

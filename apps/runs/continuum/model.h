@@ -1,6 +1,7 @@
 #pragma once
 
 #include "apps/figures/contact_figures.h"
+#include "apps/models/precice.h"
 #include "apps/runs/continuum/contact_section.h"
 #include "apps/runs/continuum/loads.h"
 #include "apps/runs/continuum/materials.h"
@@ -90,6 +91,7 @@ namespace apps
     MotionSection          motion;
     ContactsSection        contacts;
     ReferencesSection      references;
+    PreciceSection         precice;
     ContinuumOutputSection output;
     bool                   spread = true; ///< over ranks; otherwise each has all of it
 

@@ -111,6 +111,10 @@ namespace apps
   template <int dim>
   std::unique_ptr<ContinuumAnalysis<dim>> make_explicit_analysis(fem::Solid<dim> &solid, const ContinuumModel &model);
 
+  /** Steps by the time windows of preCICE. */
+  template <int dim>
+  std::unique_ptr<ContinuumAnalysis<dim>> make_precice_analysis(fem::Solid<dim> &solid, const ContinuumModel &model);
+
   /** Steps by what touches: of a solid whose bodies are in contact with each other. */
   template <int dim>
   std::unique_ptr<ContinuumAnalysis<dim>> make_contact_analysis(fem::Solid<dim> &solid, const ContinuumModel &model);

@@ -102,6 +102,9 @@ namespace apps
   {
     if (model.is_static())
       throw base::EntryError({"Model"}, "Analysis", "only a solid in motion is advanced step by step: explicit.");
+    if (model.precice.given())
+      throw base::EntryError({"preCICE"}, "Participant",
+                             "a solid that is moved step by step is coupled by who moves it.");
     if (!model.contacts.empty())
       throw base::EntryError({"Contacts"}, "",
                              "bodies in contact with each other are moved by a run alone, not step by step.");

@@ -302,11 +302,13 @@ namespace apps
   template <int dim>
   std::string ContinuumRun<dim>::ended_by() const
   {
-    const bool at_end = analysis->coordinate() >= analysis->end() * (1 - 1e-9);
+    const bool        at_end = analysis->coordinate() >= analysis->end() * (1 - 1e-9);
+    const std::string left   = analysis->ended_by();
     return !invalid.empty() ? "end of validity: " + invalid :
            !failure.empty() ? no_equilibrium + failure :
            was_stopped      ? "stop fraction" :
            has_softened     ? softened :
+           !left.empty()    ? left :
            at_end           ? "end" :
                               "steps at most";
   }
@@ -334,7 +336,8 @@ namespace apps
                                 extremes,
                                 solid->linear(),
                                 ended_by(),
-                                zone.width(dim)}; // asked of all ranks, told by the first
+                                zone.width(dim), // asked of all ranks, told by the first
+                                analysis->warning()};
     return is_first_rank() ? RunFindings{found.summary(), found.text(), nullptr} : RunFindings{};
   }
 

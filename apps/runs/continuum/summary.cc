@@ -43,6 +43,8 @@ namespace apps
       found.push_back("no bodies have ever touched");
     if (contact && !contact->doubt().empty())
       found.push_back(contact->doubt());
+    if (!doubt.empty())
+      found.push_back(doubt);
     const double error = worst_residual(series);
     if (error > worrying_balance)
       found.push_back(

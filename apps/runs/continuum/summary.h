@@ -48,6 +48,7 @@ namespace apps
     std::string ended_by = "";
 
     std::optional<double> fracture_zone_width = {}; ///< [m]
+    std::string           doubt               = ""; ///< about its end, a sentence; "": none
 
     nlohmann::json summary() const;
     std::string    text() const;

@@ -90,6 +90,8 @@ namespace apps
     text +=
       fmt::format("  memory       {:.1f} MB for particles and links\n", 1e-6 * static_cast<double>(specimen.bytes()));
     text += damped_fall_line(model);
+    if (model.precice.given())
+      text += model.precice.forecast(body.all_groups().at(model.precice.vertices).size());
     if (start)
       text += fmt::format("  start        {}\n", text_of(*start));
     text += fmt::format("  steps        {:.0f}{}\n", steps,

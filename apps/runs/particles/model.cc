@@ -8,7 +8,13 @@ namespace apps
 {
   void ParticlesModel::check(const base::EntryPath &root) const
   {
-    check_as_part(root);
+    const GroupNames names = check_as_part(root);
+    precice.check(root);
+    if (precice.given())
+      names.require(root.at("preCICE"), "Group", precice.vertices);
+    if (precice.given() && laboratory.given())
+      root.at("preCICE").refuse("Participant",
+                                "the machine of section Laboratory cannot go back in time. Take it away.");
     time.check_by_time(root);
     gravity.check(root, physics.dimension);
     laboratory.check(root, source, physics, names_before_test());

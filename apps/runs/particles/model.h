@@ -4,6 +4,7 @@
 #include "apps/models/gravity.h"
 #include "apps/models/joints.h"
 #include "apps/models/output.h"
+#include "apps/models/precice.h"
 #include "apps/models/time.h"
 #include "apps/runs/particles/clumps.h"
 #include "apps/runs/particles/forces.h"
@@ -42,6 +43,7 @@ namespace apps
     StopsSection            stops;
     OutputSection           output;
     EmissionSection         emission;
+    PreciceSection          precice;
     std::string             horizontal, vertical; ///< columns of the curve, as the scene asks for them
 
     /** @throws base::InputError. */

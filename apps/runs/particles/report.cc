@@ -24,9 +24,14 @@ namespace apps
     if (body.test())
       for (const std::string &warning : LaboratoryReport{model.laboratory, *body.test(), slower}.warnings())
         doubts.push_back(warning);
+    if (exchange)
+      if (const std::string doubt = model.precice.left_early(*exchange, specimen().time()); !doubt.empty())
+        doubts.push_back(doubt);
     return {request,
             "particles",
-            body.test_is_over() ? "test" : by_stop,
+            body.test_is_over()             ? "test" :
+            exchange && exchange->is_over() ? "coupling" :
+                                              by_stop,
             specimen().time(),
             materials,
             start,
@@ -52,13 +57,12 @@ namespace apps
   nlohmann::json ParticlesReport::summary() const
   {
     const dem::Counts counts = specimen().counts();
-    return common().summary(figures(), json_of(specimen().energy()),
-                            {{"particles", counts.particles},
-                             {"links", counts.links},
-                             {"contacts", counts.contacts},
-                             {"steps", specimen().steps()},
-                             {"time_step", specimen().time_step()},
-                             {"wall_seconds", wall_seconds}});
+    nlohmann::json    cost   = {{"particles", counts.particles},       {"links", counts.links},
+                                {"contacts", counts.contacts},         {"steps", specimen().steps()},
+                                {"time_step", specimen().time_step()}, {"wall_seconds", wall_seconds}};
+    if (exchange)
+      cost.update({{"windows", exchange->windows()}, {"iterations", exchange->iterations()}});
+    return common().summary(figures(), json_of(specimen().energy()), cost);
   }
 
   std::string ParticlesReport::text() const

@@ -23,6 +23,7 @@ namespace apps
     double                       wall_seconds;
     std::string                  not_in_balance;   ///< see left_out_of_balance()
     const dem::LabTest          *slower = nullptr; ///< the test's loading at half the speed; nullptr: there was none
+    const coupling::PreciceExchange *exchange = nullptr; ///< with other programs; nullptr: there was none
 
     nlohmann::json summary() const;
     /** Last value of every probe, what ended the run, energy balance and cost. */

@@ -11,6 +11,7 @@
 #include "apps/runs/particles/report.h"
 #include "apps/specimens/left_out_of_balance.h"
 #include "apps/specimens/specimen_packing.h"
+#include "base/errors.h"
 #include "dem/observation/discrete_state.h"
 #include "postprocess/hdf5/discrete_state_hdf5.h"
 #include "postprocess/packings/packing_io.h"
@@ -58,6 +59,12 @@ namespace apps
     const Progress progress("links");
     body      = std::make_shared<ParticlesBody>(model, packing);
     materials = MaterialCounts(packing.material_names, body->specimen());
+    if (!model.precice.given())
+      return;
+    if (rank_count() > 1)
+      throw base::InputError("preCICE: particles spread over several processes cannot be coupled yet. Start one.");
+    driven   = std::make_unique<DrivenParticles>(*body);
+    exchange = model.precice.couple(*driven, body->all_groups().at(model.precice.vertices));
   }
 
   void ParticlesRun::make_start()
@@ -151,6 +158,8 @@ namespace apps
       rows_of_test.visit_state(state);
     state.group("specimen");
     body->visit_state(state);
+    if (exchange)
+      exchange->visit_state(state);
     snapshots.visit_state(state);
     visit_slow(state);
     steps_before = body->specimen().steps();
@@ -240,6 +249,14 @@ namespace apps
 
   bool ParticlesRun::move()
   {
+    if (exchange)
+      {
+        exchange->advance();
+        const bool due = sampling.take(body->specimen().time());
+        if (exchange->is_over())
+          sampling.stop();
+        return due || exchange->is_over();
+      }
     if (!body->test())
       {
         body->advance_to(sampling.next_time());
@@ -300,7 +317,8 @@ namespace apps
       series,
       wall_seconds,
       left_out_of_balance(*model.material.materials().bonds(model.physics), body->specimen().particles().radius),
-      slow ? slow->test() : nullptr};
+      slow ? slow->test() : nullptr,
+      exchange.get()};
     return {found.summary(), grown_text + found.text(),
             std::shared_ptr<const dem::ObservedSpecimen>(body, &body->specimen())};
   }

@@ -5,6 +5,7 @@
 #include "apps/results/run_result.h"
 #include "apps/results/run_work.h"
 #include "apps/runs/particles/body.h"
+#include "apps/runs/particles/driven_particles.h"
 #include "apps/specimens/genesis_work.h"
 #include "apps/specimens/material_counts.h"
 #include "apps/specimens/specimen_snapshots.h"
@@ -85,7 +86,11 @@ namespace apps
     std::unique_ptr<GenesisWork>   genesis;    ///< while particles grow; then there is the body
     std::shared_ptr<ParticlesBody> body;       ///< shared with the result, which holds its specimen
     std::unique_ptr<ParticlesBody>
-                      slow;      ///< as it was when the loading began, to load at half the speed when the test is over
+      slow; ///< as it was when the loading began, to load at half the speed when the test is over
+
+    std::unique_ptr<DrivenParticles>           driven;   ///< where they are coupled with other programs
+    std::unique_ptr<coupling::PreciceExchange> exchange; ///< likewise
+
     MaterialCounts    materials; ///< before anything moves
     StaticStart       start;
     Sampling          sampling;

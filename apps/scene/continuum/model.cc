@@ -7,6 +7,7 @@
 #include "apps/scene/continuum/mesh.h"
 #include "apps/scene/entries/contact_figures.h"
 #include "apps/scene/entries/gravity.h"
+#include "apps/scene/entries/precice.h"
 #include "apps/scene/number_list.h"
 #include "apps/scene/section.h"
 
@@ -138,6 +139,12 @@ namespace apps
   }
 
   void declare(Section &root, ContinuumModel &model)
+  {
+    declare_alone(root, model);
+    declare(root, model.precice, "Boundary", "Whose nodes are the vertices of the mesh");
+  }
+
+  void declare_alone(Section &root, ContinuumModel &model)
   {
     const auto statics  = [&model] { return model.is_static(); };
     const auto dynamics = [&model] { return !model.is_static(); };

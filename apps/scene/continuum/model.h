@@ -11,6 +11,8 @@ namespace apps
   void declare(Section &root, MotionSection &motion, std::function<bool()> is_explicit);
   void declare(Section &root, ContinuumOutputSection &continuum_output, std::function<bool()> is_explicit);
   void declare(Section &root, ContinuumModel &model);
+  /** All of them but what couples with other programs: of a solid that goes on from something else. */
+  void declare_alone(Section &root, ContinuumModel &model);
   /** The sections of a solid that moves together with something else: the scene says where that ends and what is written. */
   void declare_as_part(Section &root, ContinuumModel &model);
   /** Those of a solid in equilibrium with something else. */

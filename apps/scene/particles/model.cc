@@ -6,16 +6,17 @@
 #include "apps/scene/entries/material.h"
 #include "apps/scene/entries/output.h"
 #include "apps/scene/entries/physics.h"
+#include "apps/scene/entries/precice.h"
 #include "apps/scene/entries/specimen.h"
 #include "apps/scene/entries/time.h"
 #include "apps/scene/particles/clumps.h"
 #include "apps/scene/particles/forces.h"
-#include "apps/scene/particles/probes.h"
 #include "apps/scene/particles/groups.h"
 #include "apps/scene/particles/initial_velocity.h"
 #include "apps/scene/particles/laboratory_section.h"
 #include "apps/scene/particles/more_particles.h"
 #include "apps/scene/particles/motion.h"
+#include "apps/scene/particles/probes.h"
 #include "apps/scene/particles/stops.h"
 #include "apps/scene/particles/walls.h"
 #include "apps/scene/section.h"
@@ -52,6 +53,7 @@ namespace apps
     declare_as_part(root, model);
     declare(*root.find_section("Specimen"), model.joints);
     declare_course(root, model);
+    declare(root, model.precice, "Group", "Whose particles are the vertices of the mesh");
     declare(root, model.laboratory);
   }
 

@@ -32,7 +32,7 @@ namespace apps
     declare(*scene.find_section("Transfer"), model.identification, model.transfer);
     Section &continuum =
       scene.section("Continuum", "The solid that carries on; the sections of a scene of kind continuum");
-    declare(continuum, model.continuum);
+    declare_alone(continuum, model.continuum);
     Section &s = scene.section("Study", "How the continuations are read and compared");
     s.number("Length", model.study.length, "m", Range::positive(), Need::optional)
       .means("Displacement over it is the strain of the continuation; 1: displacements as they are")

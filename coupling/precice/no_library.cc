@@ -1,0 +1,6 @@
+#include "coupling/precice/library.h"
+
+namespace coupling
+{
+  JoinPrecice precice_library() { return {}; }
+} // namespace coupling
