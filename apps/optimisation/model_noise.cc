@@ -153,8 +153,22 @@ namespace optimisation
       return there.cwiseMax(problem.lower).cwiseMin(problem.upper);
     }
 
-    /** @param wide the problem with wide steps, which begins at the end of the search @param first line through that */
-    void put_right(const LeastSquaresProblem &wide, EvaluatedResiduals &evaluated, const Line &first, ModelAtEnd &found)
+    /** Of one more round of central differences and a line, and of the answer; the place itself is counted, but not run. */
+    int evaluations_of_round(const LeastSquaresProblem &problem, const Eigen::VectorXd &place)
+    {
+      const auto free = place.size() - static_cast<Eigen::Index>(on_bounds(problem, place).size());
+      return 2 * static_cast<int>(free) + 5 + 1;
+    }
+
+    /**
+     * @param wide the problem with wide steps, which begins at the end of the search @param first line through that @param most evaluations,
+     * where the first round does not need more
+     */
+    void put_right(const LeastSquaresProblem &wide,
+                   EvaluatedResiduals        &evaluated,
+                   const Line                &first,
+                   const int                  most,
+                   ModelAtEnd                &found)
     {
       constexpr int    most_repeats = 4;
       constexpr double near         = 0.5; // wide steps: derivatives hold there, too
@@ -162,6 +176,10 @@ namespace optimisation
       append(first.noise(), found);
       for (int round = 0; round < most_repeats; ++round)
         {
+          const int so_far = evaluated.evaluations() - 1; // the place itself belongs to the search
+          found.cut_short  = round > 0 && so_far + evaluations_of_round(wide, place) > most;
+          if (found.cut_short)
+            break;
           evaluated.leave_out(on_bounds(wide, place)); // they stay there, and have no error
           const auto jacobian = evaluated.jacobian(place);
           if (!jacobian)
@@ -218,7 +236,7 @@ namespace optimisation
             const double size   = root_mean_square(line->noise());
             found.largest_noise = deviation > 0 ? size / deviation : 0;
             if (noise.search == NoiseSearch::always || size > noise.of_concern * deviation)
-              put_right(wide, evaluated, *line, found);
+              put_right(wide, evaluated, *line, noise.most_evaluations, found);
           }
         found.evaluations += evaluated.evaluations() - 1; // the place itself belongs to the search
         found.failed += evaluated.failed();

@@ -15,9 +15,10 @@ namespace optimisation
   struct NoiseOptions
   {
     NoiseSearch     search = NoiseSearch::where_it_matters;
-    Eigen::VectorXd wide_steps;       ///< of differences that noise hardly touches, not below those of the problem
-    double          deviation  = 0;   ///< of a residual; 0: from the residuals
-    double          of_concern = 0.1; ///< noise over that deviation from which on it matters
+    Eigen::VectorXd wide_steps;           ///< of differences that noise hardly touches, not below those of the problem
+    double          deviation        = 0; ///< of a residual; 0: from the residuals
+    double          of_concern       = 0.1;     ///< noise over that deviation from which on it matters
+    int             most_evaluations = 1000000; ///< derivatives are taken anew only where that is possible with no more
   };
 
   /** The end of a search, with what its noise has made of it put right. */
@@ -30,7 +31,8 @@ namespace optimisation
     double          noise_degrees = 0; ///< how many independent draws they are worth
     double          share         = 1; ///< of the variance of one answer's noise in what the place was found from
     double of_column = 0; ///< expected squared norm of the noise in a column of the Jacobian, in units of wide steps
-    double largest_noise = 0; ///< root mean square over the residuals, in units of the deviation
+    double largest_noise = 0;     ///< root mean square over the residuals, in units of the deviation
+    bool   cut_short     = false; ///< the last step was so long that derivatives should have been taken anew
     int    evaluations = 0, failed = 0;
   };
 

@@ -4,6 +4,7 @@ set(optimisation_sources
   optimisation/genetic_search.cc
   optimisation/least_squares_search.cc
   optimisation/model_noise.cc
+  optimisation/nist_problems.cc
   optimisation/synthetic_calibrations.cc
   optimisation/references.cc
 )

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 namespace apps
 {
@@ -48,7 +49,8 @@ namespace apps
         {
           const auto uneven =
             std::find_if(array.levels.begin(), array.levels.end(), [](const statistics::Levels &levels) {
-              return levels.counts != std::vector<int>(levels.counts.size(), levels.counts[0]);
+              return std::adjacent_find(levels.counts.begin(), levels.counts.end(), std::not_equal_to<>()) !=
+                     levels.counts.end();
             });
           analysis.warnings.push_back(fmt::format(
             "Levels do not occur equally often ({} has them {} times), but all pairs in proportion to their counts: "

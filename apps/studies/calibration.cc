@@ -49,9 +49,10 @@ namespace apps
                                     const optimisation::LeastSquaresFit     &fit)
     {
       optimisation::NoiseOptions noise;
-      noise.search     = has_errors(file, problem, fit) ? file.model_noise : optimisation::NoiseSearch::never;
-      noise.wide_steps = wide_step(file) * problem.ranges()(problem.kept());
-      noise.deviation  = scatter_is_known(file) ? 1.0 : 0.0;
+      noise.search           = has_errors(file, problem, fit) ? file.model_noise : optimisation::NoiseSearch::never;
+      noise.wide_steps       = wide_step(file) * problem.ranges()(problem.kept());
+      noise.deviation        = scatter_is_known(file) ? 1.0 : 0.0;
+      noise.most_evaluations = options.most_evaluations - fit.evaluations;
       return problem.at_end(options, fit, noise);
     }
 
@@ -156,6 +157,10 @@ namespace apps
           "Runs scatter between neighbouring constants by {:.2g} of what they are off the targets by chance: "
           "bars and bands contain that, and the answer is where many runs together have it.",
           found.noise));
+      if (found.cut_short)
+        found.warnings.push_back(
+          "As many sets of constants were run as Search/Most evaluations says, and the answer is farther from where "
+          "derivatives were taken than these hold: errors may be larger than their bars.");
       if (found.failed > 0)
         found.warnings.push_back(fmt::format("{} sets of constants had no answer.", found.failed));
     }
@@ -234,6 +239,7 @@ namespace apps
     found.relative_sum = end.residuals.squaredNorm() / targets;
     found.noise        = end.largest_noise;
     found.noisy        = end.noise.cols() > 0;
+    found.cut_short    = end.cut_short;
     found.ending       = fit.ending;
     put_uncertainty(file, problem, sure, end, found);
     found.half_widths = found.half_widths.cwiseProduct(runs.scale());

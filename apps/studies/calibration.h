@@ -35,8 +35,9 @@ namespace apps
     Eigen::VectorXd   predicted, half_widths; ///< for what was measured; bands of 95 %
     double            relative_sum = 0;       ///< sum of squared deviations over squared targets, in their scales
     int               evaluations = 0, failed = 0;
-    double            noise = 0;     ///< of runs between neighbouring constants, over the deviation of a residual
-    bool              noisy = false; ///< so much that bars, bands and the answer take account of it
+    double            noise     = 0;     ///< of runs between neighbouring constants, over the deviation of a residual
+    bool              noisy     = false; ///< so much that bars, bands and the answer take account of it
+    bool              cut_short = false; ///< its last step took more sets of constants than were left
     std::string       ending;
     int               cheap_evaluations = 0; ///< of the cheap model, before
 

@@ -4,6 +4,18 @@
 #include <cholmod.h>
 #include <dlfcn.h>
 
+#include <filesystem>
+
+namespace
+{
+  std::filesystem::path folder_of(void *const symbol)
+  {
+    Dl_info found;
+    REQUIRE(dladdr(symbol, &found));
+    return std::filesystem::canonical(found.dli_fname).parent_path();
+  }
+} // namespace
+
 TEST_CASE("CHOLMOD's dense kernels are those of the system's libblas, whatever other library brings some", "[apps]")
 {
   cholmod_common common;
@@ -24,4 +36,7 @@ TEST_CASE("CHOLMOD's dense kernels are those of the system's libblas, whatever o
   CHECK(used == dlsym(system, kernel));
   if (atlas)
     CHECK(used != dlsym(atlas, kernel));
+  // Where OpenBLAS is installed, the system's libblas is a few names for it, from the same folder.
+  if (void *const openblas = dlopen("libopenblas.so.0", RTLD_LAZY))
+    CHECK(folder_of(used) == folder_of(dlsym(openblas, "openblas_get_config")));
 }

@@ -2,6 +2,7 @@
 #include "apps/figures/fracture_zone.h"
 
 #include "postprocess/files/csv_table.h"
+#include "tests/apps/interrupted_runs.h"
 #include "tests/apps/scenes.h"
 #include "tests/apps/stack_calibration.h"
 #include "tests/places.h"
@@ -11,6 +12,7 @@
 #include <nlohmann/json.hpp>
 
 #include <cmath>
+#include <csignal>
 #include <random>
 #include <sstream>
 
@@ -70,7 +72,48 @@ namespace
     scene             = replaced(scene, "Nonlocal length      = 0.01", "Nonlocal length = " + length);
     return replaced(scene, "Element size         = 0.008", "Element size = " + size);
   }
+
+  /** To all digits of the summary. */
+  std::string width_in(const std::filesystem::path &results, const std::string &figure)
+  {
+    const auto   summary = nlohmann::json::parse(content_of(results / "summary.json"));
+    const double width   = summary.at("figures").at(figure).at("value");
+    REQUIRE(width > 0);
+    return figure + " " + summary.at("figures").at(figure).dump();
+  }
 } // namespace
+
+TEST_CASE("fracture zone: a run of particles that was stopped beyond its peak goes on to the same width",
+          "[apps][slow][S13]")
+{
+  const ScratchFolder folder;
+  folder.file("packing.txt", stack_packing());
+  std::string scene = replaced(scene_with_file(), "set Strain rate = 4", "set Strain rate = 1");
+  folder.file("x.prm", replaced(scene, "  set Snapshots = 5",
+                                "  set Snapshots = 40\n  set Checkpoint interval = 0.01\n  set Fracture zone = true"));
+  const InterruptedRun beyond_peak = {{"run", "x.prm"},
+                                      {"tension_links/tension_links_000020.vtp", "checkpoint.h5"},
+                                      [](const std::filesystem::path &results) {
+                                        return content_of(results / "series.csv") +
+                                               width_in(results, "tension_fracture_zone_width") +
+                                               width_in(results, "compression_fracture_zone_width");
+                                      }};
+  goes_on_to_the_same_bits(folder, beyond_peak, {SIGINT, SIGKILL});
+}
+
+TEST_CASE("fracture zone: a run of a bar that was stopped beyond its peak goes on to the same width",
+          "[apps][slow][S13]")
+{
+  const ScratchFolder folder;
+  std::string         scene = bar_with("0.01", "0.008");
+  folder.file("x.prm",
+              replaced(scene, "set Snapshots        = 0", "set Snapshots = 20\n  set Checkpoint interval = 0.001"));
+  const InterruptedRun beyond_peak = {
+    {"run", "x.prm"}, {"checkpoint.h5", "solid/solid_000010.vtu"}, [](const std::filesystem::path &results) {
+      return content_of(results / "series.csv") + width_in(results, "fracture_zone_width");
+    }};
+  goes_on_to_the_same_bits(folder, beyond_peak, {SIGINT, SIGKILL});
+}
 
 TEST_CASE("a nonlocal length is recovered within its bars from the width of the zone that fails and a curve",
           "[apps][slow]")

@@ -153,6 +153,29 @@ TEST_CASE("breccia invert gives the least sum of magnitudes where two targets co
   CHECK(inversion_in(folder)["constants"]["x"]["value"].get<double>() == Approx(3).margin(1e-5));
 }
 
+TEST_CASE("the published errors of repeat runs are relative to the runs, and those relative to the targets are others",
+          "[apps]")
+{
+  // Means of five runs for the first targets as a surface that hardly varies.
+  const ScratchFolder folder;
+  folder.file("s.json", surface("sigma_u", R"({"x": [0, 1]})", R"({"1": 57.738, "x": 1e-9})"));
+  folder.file("e.json", surface("E", R"({"x": [0, 1]})", R"({"1": 34.082, "x": 1e-9})"));
+  folder.file("n.json", surface("nu", R"({"x": [0, 1]})", R"({"1": 0.2148, "x": 1e-9})"));
+  std::vector<std::string> words = {"--target", "sigma_u=59.67", "--target", "E=32.68", "--target",
+                                    "nu=0.201", "--starts",      "1",        "-o",      "out"};
+  const auto               off   = [&](const std::string &response) {
+    return 100 * std::fabs(inversion_in(folder)["responses"][response]["relative_deviation"].get<double>());
+  };
+  REQUIRE(inverted(folder, {"s.json", "e.json", "n.json"}, words).status == 0);
+  CHECK(off("sigma_u") == Approx(3.24).margin(5e-3));
+  CHECK(off("E") == Approx(4.29).margin(5e-3));
+  CHECK(off("nu") == Approx(6.87).margin(5e-3));
+  CHECK(inversion_in(folder)["misfit"].get<double>() == Approx(0.0324 + 0.0429 + 0.0687).margin(1.5e-4));
+  words.emplace_back("--over-prediction");
+  REQUIRE(inverted(folder, {"s.json", "e.json", "n.json"}, words).status == 0);
+  CHECK(inversion_in(folder)["misfit"].get<double>() == Approx(0.033461 + 0.041136 + 0.064246).margin(2e-5));
+}
+
 TEST_CASE("breccia invert gives the same file for the same seed, and warns outside the runs of a surface", "[apps]")
 {
   const ScratchFolder folder;

@@ -134,6 +134,42 @@ TEST_CASE("noise of a model: a constant on its bound stays there and costs no ru
         4 + 4 * (4 + 5) + 1); // a line, at most four times central differences and a line, the answer
 }
 
+TEST_CASE("noise of a model: derivatives are taken anew only where evaluations are left, and it says so",
+          "[optimisation]")
+{
+  optimisation::LeastSquaresProblem problem;
+  problem.start     = Eigen::Vector2d(0.2, 0.2);
+  problem.lower     = Eigen::Vector2d::Zero();
+  problem.upper     = Eigen::Vector2d::Ones();
+  problem.steps     = Eigen::Vector2d::Constant(0.03);
+  problem.residuals = [](const std::vector<Eigen::VectorXd> &places) {
+    std::vector<std::optional<Eigen::VectorXd>> all;
+    for (const Eigen::VectorXd &place : places) // far from the start, and rough
+      all.emplace_back(Eigen::Vector4d(place[0] - 0.7, place[1] - 0.6, place.sum() - 1.3, place[0] - place[1] - 0.1) +
+                       0.01 * (1e4 * Eigen::Vector4d(1, 2, 3, 4) * place.sum()).array().sin().matrix());
+    return all;
+  };
+  optimisation::LeastSquaresFit there; // as if the search had ended far from the least sum
+  there.place     = problem.start;
+  there.residuals = *problem.residuals({problem.start}).front();
+  optimisation::NoiseOptions noise;
+  noise.search        = optimisation::NoiseSearch::always;
+  noise.wide_steps    = Eigen::Vector2d::Constant(0.06);
+  const auto free     = optimisation::model_at_end(problem, {}, there, noise);
+  const int  in_round = 2 * 2 + 5;
+  CHECK_FALSE(free.cut_short);
+  CHECK(free.evaluations > 4 + 2 * in_round);
+  noise.most_evaluations = 4 + 2 * in_round + 1; // of the line, two rounds and the answer
+  const auto two         = optimisation::model_at_end(problem, {}, there, noise);
+  CHECK(two.cut_short);
+  CHECK(two.evaluations == noise.most_evaluations);
+  --noise.most_evaluations;
+  const auto one = optimisation::model_at_end(problem, {}, there, noise);
+  CHECK(one.cut_short);
+  CHECK(one.evaluations == 4 + in_round + 1);
+  CHECK(one.noise.cols() > 0);
+}
+
 TEST_CASE("uncertainty: standard errors of a straight line are those of the textbook", "[optimisation]")
 {
   const Eigen::VectorXd x = Eigen::VectorXd::LinSpaced(5, 1, 5);

@@ -157,6 +157,30 @@ TEST_CASE("surfaces: the printed equations give the published values, and streng
   CHECK_FALSE(strength.box.contains(point({35, 20})));
 }
 
+TEST_CASE("surfaces: the published answers of the inversion are off the printed equations as far as they are",
+          "[statistics]")
+{
+  struct Answer
+  {
+    Eigen::VectorXd strength, modulus;
+    double          target_strength, target_modulus, off_strength, off_modulus; ///< [%]
+  };
+  const std::vector<Answer> answers = {
+    {point({28.7, 27.884}), point({17.522, 1.983, 1.356, 10.236, 2.626}), 59.67, 32.68, 0.13, 0.00},
+    {point({18.938, 22.454}), point({13.944, 1.75, 0.83, 10.552, 3.797}), 42.67, 26.78, -0.94, -0.32},
+    {point({14.277, 23.109}), point({13.435, 2.0, 0.867, 11.36, 2.205}), 36.54, 25.66, -2.88, -0.01},
+    {point({24.447, 21.68}), point({11.013, 1.938, 0.93, 11.622, 2.923}), 47.67, 21.54, 0.63, 0.00},
+    {point({26.243, 18.139}), point({12.815, 1.98, 1.292, 11.263, 3.783}), 43.6, 24.67, 2.06, 0.00}};
+  const ResponseSurface strength = printed_strength(), modulus = printed_modulus();
+  for (const Answer &answer : answers)
+    {
+      INFO(answer.target_strength << " MPa");
+      CHECK(std::fabs(100 * (strength.value(answer.strength) / answer.target_strength - 1) - answer.off_strength) <
+            0.0051);
+      CHECK(std::fabs(100 * (modulus.value(answer.modulus) / answer.target_modulus - 1) - answer.off_modulus) < 0.0051);
+    }
+}
+
 TEST_CASE("surfaces: the printed equations predict the runs of the orthogonal design as published", "[statistics]")
 {
   const PublishedTable  table("concrete_orthogonal.csv");
