@@ -110,7 +110,7 @@ TEST_CASE("check says how the particles of a scene would be shared out among ran
   const Outcome solid =
     run(folder.path(), {"check", places::sources() + "/apps/scenes/cantilever.prm", "--ranks", "2"});
   CHECK(solid.status == 2);
-  CHECK_THAT(solid.err, Contains("no particles that are shared out"));
+  CHECK_THAT(solid.err, Contains("shares are forecast for scenes of kind cell, particles and uniaxial only"));
 }
 
 TEST_CASE("an interrupted run of a cell goes on to the same bits", "[apps][slow][S13]")

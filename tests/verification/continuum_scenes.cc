@@ -1,6 +1,4 @@
 // The shipped continuum scenes against closed forms, through the program.
-#include "apps/validation/scene_references.h"
-#include "tests/compare.h"
 #include "tests/verification/scene_results.h"
 
 #include <cmath>
@@ -62,16 +60,6 @@ TEST_CASE("The cantilever under its own weight sags as Timoshenko's beam", "[ver
   CHECK(coarse > fine);
   CHECK(fine > -1.4818e-3);
   CHECK(fine == Approx(-1.4818e-3).epsilon(0.02));
-}
-
-TEST_CASE("The hole in the plate widens and narrows as Kirsch found", "[verification]")
-{
-  compare(apps::scene_references(), "scene plate_with_hole: the hole widens and narrows");
-}
-
-TEST_CASE("The bar on a wall carries the force rho c v A, and its wave comes back after 2 L/c", "[verification]")
-{
-  compare(apps::scene_references(), "scene bar_impact: wave in a bar that meets a wall");
 }
 
 TEST_CASE("Notched beam in the plane: symmetric, work of fracture under the curve, and little dependence on the mesh",
