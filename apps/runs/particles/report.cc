@@ -52,13 +52,15 @@ namespace apps
   nlohmann::json ParticlesReport::summary() const
   {
     const dem::Counts counts = specimen().counts();
-    return common().summary(figures(), json_of(specimen().energy()),
-                            {{"particles", counts.particles},
-                             {"links", counts.links},
-                             {"contacts", counts.contacts},
-                             {"steps", specimen().steps()},
-                             {"time_step", specimen().time_step()},
-                             {"wall_seconds", wall_seconds}});
+    nlohmann::json    found  = common().summary(figures(), json_of(specimen().energy()),
+                                                {{"particles", counts.particles},
+                                                 {"links", counts.links},
+                                                 {"contacts", counts.contacts},
+                                                 {"steps", specimen().steps()},
+                                                 {"time_step", specimen().time_step()},
+                                                 {"wall_seconds", wall_seconds}});
+    body.put_mix_into(found);
+    return found;
   }
 
   std::string ParticlesReport::text() const
@@ -74,7 +76,8 @@ namespace apps
     if (body.test())
       text += LaboratoryReport{model.laboratory, *body.test(), slower}.text();
     if (model.bonded())
-      text += BreakResults{specimen(), {}}.text();
+      text += model.mixed().text() + body.link_classes().text(body.link_classes().figures(specimen())) +
+              BreakResults{specimen(), {}}.text();
     text += common().text();
     text += fmt::format("cost         {}, {} steps with {} threads\n", duration_text(wall_seconds), specimen().steps(),
                         omp_get_max_threads());

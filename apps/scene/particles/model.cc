@@ -4,18 +4,19 @@
 #include "apps/scene/entries/gravity.h"
 #include "apps/scene/entries/joints.h"
 #include "apps/scene/entries/material.h"
+#include "apps/scene/entries/mix.h"
 #include "apps/scene/entries/output.h"
 #include "apps/scene/entries/physics.h"
 #include "apps/scene/entries/specimen.h"
 #include "apps/scene/entries/time.h"
 #include "apps/scene/particles/clumps.h"
 #include "apps/scene/particles/forces.h"
-#include "apps/scene/particles/probes.h"
 #include "apps/scene/particles/groups.h"
 #include "apps/scene/particles/initial_velocity.h"
 #include "apps/scene/particles/laboratory_section.h"
 #include "apps/scene/particles/more_particles.h"
 #include "apps/scene/particles/motion.h"
+#include "apps/scene/particles/probes.h"
 #include "apps/scene/particles/stops.h"
 #include "apps/scene/particles/walls.h"
 #include "apps/scene/section.h"
@@ -60,6 +61,7 @@ namespace apps
     SpecimenSection::Use use;
     use.other_particles = true;
     declare(root, model.source, model.physics.dimension, use);
+    declare(*root.find_section("Specimen"), model.mix);
     declare(root, model.more);
     declare(root, model.material);
     declare_physics(root, model.physics);
