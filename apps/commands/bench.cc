@@ -21,6 +21,7 @@ namespace apps
   void add_quasi_static_bench(CLI::App &bench, Action &chosen);
   void add_ranks_bench(CLI::App &bench, Action &chosen);
   void add_rate_effect_bench(CLI::App &bench, Action &chosen);
+  void add_size_effect_bench(CLI::App &bench, Action &chosen);
   void add_structure_bench(CLI::App &bench, Action &chosen);
   void add_surface_bench(CLI::App &bench, Action &chosen);
   void add_volume_bench(CLI::App &bench, Action &chosen);
@@ -50,6 +51,7 @@ namespace apps
     add_quasi_static_bench(bench, chosen);
     add_ranks_bench(bench, chosen);
     add_rate_effect_bench(bench, chosen);
+    add_size_effect_bench(bench, chosen);
     add_structure_bench(bench, chosen);
     add_surface_bench(bench, chosen);
     add_volume_bench(bench, chosen);

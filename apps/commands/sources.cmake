@@ -18,6 +18,8 @@ set(apps_commands_sources
   bench/results.cc
   bench/scene_variant.cc
   bench/sequential.cc
+  bench/size_effect.cc
+  bench/size_effect_laws.cc
   bench/structure.cc
   bench/surface.cc
   bench/uniaxial.cc
@@ -39,6 +41,7 @@ set(apps_commands_sources
   commands/bench_ranks.cc
   commands/bench_rate_effect.cc
   commands/bench_sequential.cc
+  commands/bench_size_effect.cc
   commands/bench_structure.cc
   commands/bench_surface.cc
   commands/bench_volume.cc

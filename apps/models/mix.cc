@@ -125,7 +125,7 @@ namespace apps
     return dem::place_inclusions(sizes_in(box).diameters, p);
   }
 
-  void MixSection::check_for_cell(const base::EntryPath &specimen, const int dimension) const
+  void MixSection::check_for_cell(const base::EntryPath &specimen) const
   {
     const base::EntryPath section = specimen.at("Mix");
     if (!given())
@@ -134,8 +134,6 @@ namespace apps
           section.refuse("Smallest aggregate", "must be given: finer ones belong to the mortar.");
         return;
       }
-    if (dimension == 2)
-      section.refuse("its aggregates lie in space, and Physics/Dimension is 2.");
     if (constituents.empty() && !(content > 0))
       section.refuse("Content", "must be above 0, or follow from Constituents.");
     if (!constituents.empty() && content > 0)
@@ -158,16 +156,21 @@ namespace apps
       section.refuse("Aggregate", "must be another material than Mortar.");
   }
 
+  Eigen::Vector3d MixSection::box_behind(const Eigen::Vector3d &box) const
+  {
+    return {box.x(), box.y(), 2 * grading_curve().largest()};
+  }
+
   void MixSection::check(const base::EntryPath &specimen, const Eigen::Vector3d &box, const int dimension) const
   {
-    check_for_cell(specimen, dimension);
+    check_for_cell(specimen);
     if (!given())
       return;
-    if (!(box.prod() > 0))
+    if (!(box.head(dimension).prod() > 0))
       specimen.refuse("Box size", "must be given: the aggregates of Mix lie in it.");
     try
       {
-        sizes_in(box);
+        sizes_in(dimension == 2 ? box_behind(box) : box);
       }
     catch (const base::InputError &refusal)
       {

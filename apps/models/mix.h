@@ -66,7 +66,7 @@ namespace apps
     /** @param box edges, or zero where there is none [m] @throws base::InputError */
     void check(const base::EntryPath &specimen, const Eigen::Vector3d &box, int dimension) const;
     /** The same of a periodic cell, whose edges are known once its particles are. @throws base::InputError */
-    void check_for_cell(const base::EntryPath &specimen, int dimension) const;
+    void check_for_cell(const base::EntryPath &specimen) const;
 
     dem::MixVolumes       volumes() const;        ///< @pre there are constituents
     dem::GradingCurve     grading_curve() const;  ///< @throws base::InputError
@@ -74,5 +74,7 @@ namespace apps
     double                asked_content() const;  ///< likewise, of modelled sizes
     dem::AggregateSizes   sizes_in(const Eigen::Vector3d &box) const;
     dem::PlacedAggregates placed_in(const Eigen::Vector3d &box, bool periodic) const;
+    /** The box of which a plane model is the section z = 0: periodic, and twice as deep as the largest aggregate. @param box in the plane [m] */
+    Eigen::Vector3d box_behind(const Eigen::Vector3d &box) const;
   };
 } // namespace apps

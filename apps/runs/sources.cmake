@@ -147,6 +147,8 @@ set(runs_sources
   runs/structure/structure.cc
   runs/structure/supports.cc
   runs/structure/bending_test.cc
+  runs/structure/wedge_splitting.cc
+  runs/structure/work_of_fracture.cc
   runs/transmission/forecast.cc
   runs/transmission/methods.cc
   runs/transmission/model.cc
@@ -205,6 +207,7 @@ set(runs_solids_sources
   runs/continuum/explicit.cc
   runs/continuum/probes.cc
   runs/continuum/mesh.cc
+  runs/continuum/mesh_mix.cc
   runs/continuum/motion.cc
   runs/continuum/moving_solid.cc
   runs/continuum/one_step.cc

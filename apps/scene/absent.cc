@@ -28,7 +28,10 @@ namespace apps
         {{"calibration", "calibrate", "optimisation", "optimization", "optimise", "optimize"},
          "Constants are sought by \"breccia calibrate\" (doc/tutorials/calibrate.md) and by \"breccia invert\"; "
          "doc/tutorials/constants.md says which constant moves which figure."},
-        {{"Mix"}, "A mix makes the specimen in scenes of kind uniaxial, quasi_static and cell."},
+        {{"Mix"},
+         "A mix is of particles that a scene makes or reads: scenes of kind cell, coupled, particles, quasi_static, "
+         "sequential, structure and uniaxial have Specimen/Mix, and so have Law = cells and \"breccia homogenise "
+         "PACKING --materials SCENE\". Sweeps of kind homogenisation are of one material."},
         {{"fabric", "coordination", "couple stress", "stress tensor"},
          "These are printed by \"breccia measure\" for a state that a run of bonded particles left "
          "(doc/theory/stress-and-fabric.md)."},

@@ -44,18 +44,19 @@ namespace apps
       return {};
     base::Column found = counted(specimen.links());
     for (const dem::Break &event : specimen.breaks())
-      row_of(found, event.pair)[4] += event.area;
+      if (event.surface < 0) // bonds to surfaces are no links between materials
+        row_of(found, event.pair)[4] += event.area;
     return found;
   }
 
-  base::Column LinkClasses::figures(const dem::LinkOutput &links, const std::vector<double> &area) const
+  base::Column LinkClasses::figures(const dem::LinkOutput &links, const dem::ElasticNetwork &network) const
   {
     if (names.empty())
       return {};
     base::Column found = counted(links);
     for (std::size_t l = 0; l < links.pair.size(); ++l)
       if (links.kind[l] == dem::LinkOutput::broken)
-        row_of(found, links.pair[l])[4] += area.at(l);
+        row_of(found, links.pair[l])[4] += network.links.at(l).area;
     return found;
   }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/column.h"
+#include "dem/network/elastic_network.h"
 #include "dem/specimen/observation.h"
 
 #include <nlohmann/json_fwd.hpp>
@@ -22,8 +23,8 @@ namespace apps
     static constexpr std::size_t figures_of_one = 5; ///< made, broken, sum of damage, energy [J], area [m^2]
     /** Of a specimen as it is: a row of figures for each class. Nothing where there is one material. */
     base::Column figures(const dem::ObservedSpecimen &specimen) const;
-    /** Of links without a log of what broke. @param area of each [m^2] */
-    base::Column figures(const dem::LinkOutput &links, const std::vector<double> &area) const;
+    /** Of links without a log of what broke. @param network that they are of, one by one */
+    base::Column figures(const dem::LinkOutput &links, const dem::ElasticNetwork &network) const;
 
     /** What a summary says of such figures: links, broken, mean damage, energy of damage, and area of what broke, by class. */
     nlohmann::json json(const base::Column &figures) const;

@@ -14,10 +14,11 @@
 
 namespace apps
 {
-  MixFigures mix_figures(const MixSection &mix, const Eigen::Vector3d &box, const bool periodic)
+  MixFigures mix_figures(const MixSection &mix, const MixBox &box)
   {
-    MixFigures f{mix.grading_curve(), mix.asked_content(), 0, mix.sizes_in(box), mix.placed_in(box, periodic), box,
-                 mix.smallest};
+    MixFigures f{
+      mix.grading_curve(), mix.asked_content(), 0, mix.sizes_in(box.edges), mix.placed_in(box.edges, box.periodic),
+      mix.smallest};
     f.reached = f.placed.structure.content();
     return f;
   }
@@ -85,10 +86,9 @@ namespace apps
     return postprocess::plot(file, {panel});
   }
 
-  void take_mix(dem::Packing &packing, const MixSection &mix, const Eigen::Vector3d &box, const double linked)
+  void take_mix(dem::Packing &packing, const MixSection &mix, const MixBox &box, const double linked)
   {
-    const bool       periodic = packing.periodic_cell.has_value();
-    const MixFigures figures  = mix_figures(mix, box, periodic);
+    const MixFigures figures = mix_figures(mix, box);
     give_note("mix: " + figures.text());
     const std::vector<std::int32_t> of = dem::aggregates_of(figures.placed.structure, packing);
     std::vector<std::int32_t>       copy(figures.placed.structure.inclusions.size(), 0);

@@ -11,13 +11,20 @@
 
 namespace apps
 {
+  /** Where the aggregates of a mix lie. */
+  struct MixBox
+  {
+    Eigen::Vector3d edges    = Eigen::Vector3d::Zero(); ///< [m]
+    bool            periodic = false;
+  };
+
   /**
    * Number and name the materials of a packing's particles by a mix: mortar, or aggregate. Says on the standard error what was reached.
    *
-   * @param box that the aggregates lie in [m] @param linked distance over the sum of two radii up to which particles are linked: aggregates with such
+   * @param box that the aggregates lie in @param linked distance over the sum of two radii up to which particles are linked: aggregates with such
    * ones are of different numbers; 0: all are of one @pre the mix is given @throws base::InputError
    */
-  void take_mix(dem::Packing &packing, const MixSection &mix, const Eigen::Vector3d &box, double linked);
+  void take_mix(dem::Packing &packing, const MixSection &mix, const MixBox &box, double linked);
 
   /** Figures of the mix: asked and reached content, number, largest size, by class of sieves. */
   struct MixFigures
@@ -26,7 +33,6 @@ namespace apps
     double                asked = 0, reached = 0; ///< part of the specimen that is aggregate [-]
     dem::AggregateSizes   sizes;
     dem::PlacedAggregates placed;
-    Eigen::Vector3d       box;
     double                smallest;
 
     nlohmann::json json() const;
@@ -35,6 +41,6 @@ namespace apps
     std::string draw(const std::filesystem::path &file) const;
   };
 
-  /** @param box that the aggregates lie in [m] @pre the mix is given */
-  MixFigures mix_figures(const MixSection &mix, const Eigen::Vector3d &box, bool periodic);
+  /** @param box that the aggregates lie in @pre the mix is given */
+  MixFigures mix_figures(const MixSection &mix, const MixBox &box);
 } // namespace apps

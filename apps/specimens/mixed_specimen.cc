@@ -4,6 +4,9 @@
 #include "apps/specimens/specimen_packing.h"
 #include "base/errors.h"
 
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
 
 namespace apps
@@ -12,9 +15,13 @@ namespace apps
   {
     const base::EntryPath specimen = root.at("Specimen");
     if (source.body == SpecimenSection::Body::cell)
-      mix.check_for_cell(specimen, dimension);
+      mix.check_for_cell(specimen);
     else
-      mix.check(specimen, source.has_box() ? source.box_edges() : Eigen::Vector3d(0, 0, 0), dimension);
+      {
+        if (mix.given() && source.source == SpecimenSection::Source::none)
+          specimen.refuse("Source", "there are no particles that the aggregates of Mix could be made of.");
+        mix.check(specimen, walls(), dimension);
+      }
     if (!mix.given() || !material.named.empty())
       return;
     try
@@ -36,14 +43,34 @@ namespace apps
     return packed;
   }
 
-  void MixedSpecimen::number(dem::Packing &packed, const std::string &origin) const
+  void MixedSpecimen::number_part(dem::Packing &part, const std::string &origin) const
   {
     const bool own = !material.named.empty(); // constants of their own, and links between aggregates as within one
     if (mix.given())
-      take_mix(packed, mix, packed.periodic_cell ? *packed.periodic_cell : source.box_edges(),
-               own ? 0 : source.interaction_ratio);
+      take_mix(part, mix, box(part.periodic_cell), own ? 0 : source.interaction_ratio);
     if (own || !mix.given())
-      material.assign(packed, dimension, origin);
+      material.number(part, dimension, origin);
+  }
+
+  void MixedSpecimen::number(dem::Packing &packed, const std::string &origin) const
+  {
+    number_part(packed, origin);
+    material.require_all(packed, origin);
+  }
+
+  Eigen::Vector3d MixedSpecimen::walls() const
+  {
+    if (source.source == SpecimenSection::Source::genesis)
+      return source.genesis.vessel(dimension).size;
+    return source.has_box() ? source.box_edges() : Eigen::Vector3d(0, 0, 0);
+  }
+
+  MixBox MixedSpecimen::box(const std::optional<Eigen::Vector3d> &cell) const
+  {
+    const Eigen::Vector3d edges = cell ? *cell : walls();
+    if (dimension == 2)
+      return {mix.box_behind(edges), true};
+    return {edges, cell.has_value()};
   }
 
   dem::LinkMaterials MixedSpecimen::materials(const std::vector<std::string> &names) const
@@ -67,6 +94,23 @@ namespace apps
 
   MixFigures MixedSpecimen::figures(const std::optional<Eigen::Vector3d> &cell) const
   {
-    return mix_figures(mix, cell ? *cell : source.box_edges(), cell.has_value());
+    return mix_figures(mix, box(cell));
+  }
+
+  void MixedSpecimen::put_into(nlohmann::json &summary, const std::optional<Eigen::Vector3d> &cell) const
+  {
+    if (mix.given())
+      summary["mix"] = figures(cell).json();
+  }
+
+  std::string MixedSpecimen::text(const std::optional<Eigen::Vector3d> &cell) const
+  {
+    return mix.given() ? fmt::format("mix          {}\n", figures(cell).text()) : "";
+  }
+
+  std::string MixedSpecimen::draw_grading(const std::filesystem::path          &folder,
+                                          const std::optional<Eigen::Vector3d> &cell) const
+  {
+    return mix.given() ? figures(cell).draw(folder / "grading.png") : "";
   }
 } // namespace apps

@@ -8,6 +8,9 @@
 #include "dem/model/materials.h"
 #include "dem/model/packing.h"
 
+#include <nlohmann/json_fwd.hpp>
+
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -28,11 +31,15 @@ namespace apps
     /** Rules between entries of the mix. @pre source and material are checked @throws base::InputError */
     void check(const base::EntryPath &root) const;
 
+    bool given() const { return mix.given(); }
+
     /** Particles with their materials, in a box or as a periodic cell. @throws as make_packing(), take_mix() */
     dem::Packing packing() const;
 
     /** Number and name the materials of particles that are there. @param origin where they come from, for messages @throws likewise */
     void number(dem::Packing &packed, const std::string &origin) const;
+    /** The same for a part of the particles, which need not have some of every material. */
+    void number_part(dem::Packing &part, const std::string &origin) const;
 
     /** @param names of the packing's materials */
     dem::LinkMaterials materials(const std::vector<std::string> &names) const;
@@ -41,5 +48,17 @@ namespace apps
 
     /** Asked and reached. @param cell edges, of a periodic one; empty: the box @pre there is a mix */
     MixFigures figures(const std::optional<Eigen::Vector3d> &cell = std::nullopt) const;
+    /** Entry "mix" of a summary, with these figures; none without a mix. @param cell likewise */
+    void put_into(nlohmann::json &summary, const std::optional<Eigen::Vector3d> &cell = std::nullopt) const;
+    /** Line of a report; "" without a mix. @param cell likewise */
+    std::string text(const std::optional<Eigen::Vector3d> &cell = std::nullopt) const;
+    /** grading.png in a folder; nothing without a mix. @param cell likewise @return what went wrong, "" if nothing */
+    std::string draw_grading(const std::filesystem::path          &folder,
+                             const std::optional<Eigen::Vector3d> &cell = std::nullopt) const;
+
+  private:
+    Eigen::Vector3d walls() const; ///< edges of the specimen's box; zero where it has none
+    /** Where the aggregates lie: all edges zero where there is none. */
+    MixBox box(const std::optional<Eigen::Vector3d> &cell) const;
   };
 } // namespace apps

@@ -116,6 +116,7 @@ namespace dem
         // A beam swings more slowly than a wave crosses it: the period of its first mode over that time is 2.2 (L/d)^2.
         wave_steps = static_cast<std::int64_t>(std::ceil(2.2 * span * span / (deep * deep) * 2 * deep / diameter));
         stress_per_force    = 1.5 * span / (wide * deep * deep);
+        area                = wide * deep;
         strain_per_approach = 6 * deep / (span * span);
         const auto at       = [&](const double place) {
           MeanMotion group = particles_near(particles, along, place, 2 * diameter);
@@ -130,14 +131,15 @@ namespace dem
       {
         // Between platens a disk may have flats; its diameter is that across the load.
         const int across = dimension == 2 ? 1 - axis : 3 - axis - what.press.along;
-        stress_per_force = 2 / (M_PI * body.length(across) * thickness_of(*specimen, body, what.press.along));
+        area             = body.length(across) * thickness_of(*specimen, body, what.press.along);
+        stress_per_force = 2 / (M_PI * area);
       }
     else
       {
-        stress_per_force =
-          1 / what.section.value_or(nominal_section(
-                {particles.position, particles.radius, dimension, specimen->parameters().thickness}, axis));
-        rows_gauge = rows_along(particles, axis);
+        area = what.section.value_or(
+          nominal_section({particles.position, particles.radius, dimension, specimen->parameters().thickness}, axis));
+        stress_per_force = 1 / area;
+        rows_gauge       = rows_along(particles, axis);
       }
     for (int a = 0; a < dimension; ++a)
       if (a != axis && !(is(Test::splitting) && dimension == 3 && a == what.press.along))
@@ -345,6 +347,12 @@ namespace dem
     next_strain  = 0;
     rows.clear();
   }
+
+  double LabTest::work() const { return specimen->external_work() - worked; }
+
+  double LabTest::friction() const { return specimen->energy().friction; }
+
+  double LabTest::stress_left() const { return peak > 0 ? load() / peak : 0; }
 
   TestCurve LabTest::curve() const
   {

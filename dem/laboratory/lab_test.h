@@ -98,8 +98,12 @@ namespace dem
     bool                     past_peak() const; ///< the largest stress is known to be the peak
     std::vector<std::string> notes() const;     ///< what casts doubt on the figures
     double                   stress_of_force() const { return stress_per_force; } ///< [1/m^2]
-    double                   seated_strain() const { return seated; }             ///< at the end of seating [-]
-    const LabParameters     &parameters() const { return what; }
+    double                   work() const;        ///< of the platens since the loading began [J]
+    double                   friction() const;    ///< dissipated by sliding since the start, of bonds and contacts [J]
+    double                   stress_left() const; ///< over the largest [-]
+    double fracture_area() const { return area; } ///< section that breaks, of a disk D t, of a beam b d [m^2]
+    double seated_strain() const { return seated; } ///< at the end of seating [-]
+    const LabParameters &parameters() const { return what; }
 
     void visit_state(base::StateVisitor &visitor);
 
@@ -136,7 +140,7 @@ namespace dem
     std::optional<SideWalls>    walls;
     std::optional<CylinderWall> jacket;
     std::optional<Membrane>     membrane;
-    double                      stress_per_force = 0, strain_per_approach = 0; ///< [1/m^2], [1/m]
+    double                      stress_per_force = 0, strain_per_approach = 0, area = 0; ///< [1/m^2], [1/m], [m^2]
     ParticleGauge               rows_gauge;
     std::vector<ParticleGauge>  side_gauges;
     MeanMotion                  middle_of_beam, left_support, right_support;

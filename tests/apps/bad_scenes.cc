@@ -176,11 +176,11 @@ TEST_CASE("Changes on the command line pass the same checks, with the command li
 TEST_CASE("A mix where no kind takes one is refused with the kinds that do", "[apps][S14]")
 {
   const ScratchFolder folder;
-  const std::string   scene   = places::sources() + "/apps/scenes/bouncing_sphere.prm";
-  const Outcome       outcome = run(folder.path(), {"check", scene, "-s", "Specimen/Mix/Increment=0"});
+  const std::string   scene   = places::sources() + "/apps/scenes/homogenisation_sweep.prm";
+  const Outcome       outcome = run(folder.path(), {"check", scene, "-s", "Homogenisation/Mix/Increment=0"});
   CHECK(outcome.status == 2);
-  CHECK_THAT(outcome.err,
-             Contains("section \"Specimen/Mix\" is not known") && Contains("kind uniaxial, quasi_static and cell"));
+  CHECK_THAT(outcome.err, Contains("section \"Homogenisation/Mix\" is not known") &&
+                            Contains("quasi_static, sequential, structure"));
 }
 
 TEST_CASE("A scene in JSON is refused with its line as well", "[apps][S14]")

@@ -14,6 +14,7 @@
 
 #include <omp.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 
@@ -257,6 +258,21 @@ TEST_CASE("specimen loaded to a tenth of its strength and unloaded is what it wa
   CHECK(body.energy().released == 0);
 }
 
+namespace
+{
+  /** Along y [m]. */
+  double height_of(const dem::Packing &packing)
+  {
+    double low = 1, high = -1;
+    for (std::size_t i = 0; i < packing.size(); ++i)
+      {
+        low  = std::min(low, packing.centre[i].y() - packing.radius[i]);
+        high = std::max(high, packing.centre[i].y() + packing.radius[i]);
+      }
+    return high - low;
+  }
+} // namespace
+
 TEST_CASE("a weak specimen breaks, and its test ends past the peak with figures", "[dem][laboratory][slow]")
 {
   dem::LabParameters asked = between_platens(0.1);
@@ -271,7 +287,17 @@ TEST_CASE("a weak specimen breaks, and its test ends past the peak with figures"
   CHECK(found.smooth_strength.value <= found.strength.value);
   CHECK(found.smooth_strength.value > 0.9 * found.strength.value);
   CHECK(run.test.reading().stress < 0.7 * found.strength.value);
+  CHECK(run.test.stress_left() == Approx(run.test.reading().stress / found.strength.value));
   CHECK(found.modulus.found);
+  // What the platens have done is the area under the curve, over the height of the specimen.
+  const auto strain = run.test.record().values(dem::TestRecord::strain),
+             stress = run.test.record().values(dem::TestRecord::stress);
+  double below      = 0.5 * stress.front() * strain.front();
+  for (std::size_t row = 1; row < strain.size(); ++row)
+    below += 0.5 * (stress[row] + stress[row - 1]) * (strain[row] - strain[row - 1]);
+  CHECK(run.test.fracture_area() * run.test.stress_of_force() == Approx(1));
+  CHECK(run.test.work() / run.test.fracture_area() == Approx(below * height_of(crystal(14, 10, 0.05))).epsilon(0.03));
+  CHECK(run.test.friction() == run.body.energy().friction);
   CHECK(run.body.energy().balance_error() < 1e-2);
 }
 

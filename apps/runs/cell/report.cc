@@ -107,8 +107,7 @@ namespace apps
     const LinkClasses classes(model.mixed().link_classes(packing.material_names));
     if (const nlohmann::json by_class = classes.json(classes.figures(specimen)); !by_class.empty())
       summary["link_classes"] = by_class;
-    if (model.mix.given())
-      summary["mix"] = model.mixed().figures(packing.periodic_cell).json();
+    model.mixed().put_into(summary, packing.periodic_cell);
     return summary;
   }
 

@@ -1,6 +1,5 @@
 #include "apps/runs/continuum/cells.h"
 
-#include "apps/specimens/specimen_packing.h"
 #include "coupling/multiscale/moving_cells.h"
 #include "fem/points/driven_point.h"
 
@@ -38,6 +37,10 @@ namespace apps
   {
     source.check(block, dimension);
     material.check(block, dimension);
+    mixed().check(block);
+    if (moves && mix.given() && packings > 1 && material.named.empty())
+      block.refuse("Packings", "cells in motion share their materials, and aggregates of another packing may want more "
+                               "of them. Leave it at 1, or give sections Materials.");
     if (moves && (localised == coupling::Localised::crack_band || localised == coupling::Localised::refuse))
       block.refuse("When localised", "a cell in motion has no tangent, and cannot be asked twice. Take stop or go on, "
                                      "or Answer = equilibrium.");
@@ -67,8 +70,12 @@ namespace apps
       {
         SpecimenSection one = source;
         one.generator.seed += i;
-        packed.push_back(make_packing(one, material, dimension));
-        made.push_back(std::make_shared<coupling::PreparedCell>(packed.back(), material.materials(), parameters()));
+        MixSection of = mix;
+        of.seed += i;
+        const MixedSpecimen specimen{one, of, material, dimension};
+        packed.push_back(specimen.packing());
+        made.push_back(std::make_shared<coupling::PreparedCell>(
+          packed.back(), specimen.materials(packed.back().material_names), parameters()));
       }
     return made;
   }
@@ -77,7 +84,7 @@ namespace apps
   {
     coupling::CellPointsParameters still;
     still.cells = prepared();
-    coupling::MovingCellsParameters p{packed, material.materials(), {}, steps, {}};
+    coupling::MovingCellsParameters p{packed, mixed().materials(packed.front().material_names), {}, steps, {}};
     p.stiffness                  = coupling::CellPoints(still, plane).elastic_stiffness();
     p.communicator               = MPI_COMM_WORLD;
     p.stops_localised            = localised == coupling::Localised::stop;

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "apps/models/material.h"
-#include "apps/models/specimen.h"
+#include "apps/specimens/mixed_specimen.h"
 #include "base/entry_path.h"
 #include "coupling/multiscale/cell_points.h"
 #include "dem/model/packing.h"
@@ -17,6 +17,7 @@ namespace apps
   struct CellsModel
   {
     SpecimenSection     source;
+    MixSection          mix; ///< of the cell
     MaterialSection     material;
     bool                moves   = false; ///< the particles have inertia
     double              density = 0, damping = 0.2;
@@ -26,6 +27,8 @@ namespace apps
     std::int64_t        packings  = 1;
     double              promotion = 0.9, tolerance = 1e-9, growth_step = 0.5, contact_reach = 0.1;
     coupling::Localised localised = coupling::Localised::stop;
+
+    MixedSpecimen mixed() const { return {source, mix, material, dimension}; } ///< particles and links of a cell
   };
 
   /** The block "cells" of a group of elements: particles behind its integration points (doc/theory/multiscale.md). */

@@ -59,6 +59,7 @@ namespace apps
       require_edges(s.at("Box"), box_size, dimension);
     if (source == Source::bodies)
       check_bodies(s, dimension);
+    mix.mix.check_for_cell(s);
   }
 
   void MeshSection::check_bodies(const base::EntryPath &mesh, const int dimension) const
@@ -94,59 +95,71 @@ namespace apps
     }
   } // namespace
 
+  namespace
+  {
+    template <int dim>
+    fem::Mesh<dim> built_mesh(const MeshSection &mesh, const MPI_Comm communicator)
+    {
+      fem::ShapeOptions options;
+      options.family       = mesh.family;
+      options.refinements  = whole(mesh.refinements);
+      options.communicator = communicator;
+      switch (mesh.source)
+        {
+        case MeshSection::Source::file:
+          {
+            return mesh_in_file<dim>(mesh, communicator);
+          }
+        case MeshSection::Source::box:
+          {
+            fem::BoxShape box;
+            box.size   = mesh.box_size;
+            box.growth = mesh.box_growth;
+            for (std::size_t i = 0; i < 3; ++i)
+              box.divisions[i] = whole(mesh.box_divisions[i]);
+            return fem::make_shape<dim>(box, options);
+          }
+        case MeshSection::Source::bodies:
+          {
+            fem::BodiesShape shape;
+            for (const BoxSection &box : mesh.boxes)
+              shape.boxes.push_back(box.box());
+            for (const BallSection &ball : mesh.balls)
+              shape.balls.push_back(ball.ball());
+            return fem::make_shape<dim>(shape, options);
+          }
+        case MeshSection::Source::notched_beam:
+          {
+            fem::NotchedBeamShape beam = mesh.beam;
+            beam.width_divisions       = whole(mesh.beam_width_divisions);
+            return fem::make_shape<dim>(beam, options);
+          }
+        case MeshSection::Source::plate_with_hole:
+          {
+            fem::PlateWithHoleShape plate = mesh.plate;
+            plate.radial_divisions        = whole(mesh.radial_divisions);
+            plate.angular_divisions       = whole(mesh.angular_divisions);
+            plate.depth_divisions         = whole(mesh.depth_divisions);
+            return fem::make_shape<dim>(plate, options);
+          }
+        case MeshSection::Source::cylinder:
+          {
+            fem::CylinderShape bar = mesh.cylinder;
+            bar.divisions          = whole(mesh.axial_divisions);
+            return fem::make_shape<dim>(bar, options);
+          }
+        }
+      throw std::logic_error("a source of meshes without a builder");
+    }
+  } // namespace
+
   template <int dim>
   fem::Mesh<dim> make_mesh(const MeshSection &mesh, const MPI_Comm communicator)
   {
-    fem::ShapeOptions options;
-    options.family       = mesh.family;
-    options.refinements  = whole(mesh.refinements);
-    options.communicator = communicator;
-    switch (mesh.source)
-      {
-      case MeshSection::Source::file:
-        {
-          return mesh_in_file<dim>(mesh, communicator);
-        }
-      case MeshSection::Source::box:
-        {
-          fem::BoxShape box;
-          box.size   = mesh.box_size;
-          box.growth = mesh.box_growth;
-          for (std::size_t i = 0; i < 3; ++i)
-            box.divisions[i] = whole(mesh.box_divisions[i]);
-          return fem::make_shape<dim>(box, options);
-        }
-      case MeshSection::Source::bodies:
-        {
-          fem::BodiesShape shape;
-          for (const BoxSection &box : mesh.boxes)
-            shape.boxes.push_back(box.box());
-          for (const BallSection &ball : mesh.balls)
-            shape.balls.push_back(ball.ball());
-          return fem::make_shape<dim>(shape, options);
-        }
-      case MeshSection::Source::notched_beam:
-        {
-          fem::NotchedBeamShape beam = mesh.beam;
-          beam.width_divisions       = whole(mesh.beam_width_divisions);
-          return fem::make_shape<dim>(beam, options);
-        }
-      case MeshSection::Source::plate_with_hole:
-        {
-          fem::PlateWithHoleShape plate = mesh.plate;
-          plate.radial_divisions        = whole(mesh.radial_divisions);
-          plate.angular_divisions       = whole(mesh.angular_divisions);
-          plate.depth_divisions         = whole(mesh.depth_divisions);
-          return fem::make_shape<dim>(plate, options);
-        }
-      case MeshSection::Source::cylinder:
-        {
-          fem::CylinderShape bar = mesh.cylinder;
-          bar.divisions          = whole(mesh.axial_divisions);
-          return fem::make_shape<dim>(bar, options);
-        }
-      }
-    throw std::logic_error("a source of meshes without a builder");
+    fem::Mesh<dim> made = built_mesh<dim>(mesh, communicator);
+    if (mesh.mix.given())
+      mesh.mix.share_out(made);
+    return made;
   }
 
   template fem::Mesh<2> make_mesh(const MeshSection &, MPI_Comm);

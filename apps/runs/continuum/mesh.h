@@ -1,5 +1,6 @@
 #pragma once
 
+#include "apps/runs/continuum/mesh_mix.h"
 #include "base/entry_path.h"
 #include "base/length_unit.h"
 #include "fem/mesh/shape_sizes.h"
@@ -72,6 +73,7 @@ namespace apps
     std::int64_t                    radial_divisions = 16, angular_divisions = 16, depth_divisions = 1;
     fem::CylinderShape              cylinder;
     std::int64_t                    axial_divisions = 8;
+    MeshMixSection                  mix; ///< of which groups of elements are
 
     void check(const base::EntryPath &root, int dimension) const;
 

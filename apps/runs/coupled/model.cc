@@ -76,8 +76,7 @@ namespace apps
   {
     if (handshakes.empty())
       return {};
-    return media_of({cell, particles.source, particles.material, dimension(), particles.physics.rotations}, continuum,
-                    handshakes);
+    return media_of({cell, particles.mixed(), particles.physics.rotations}, continuum, handshakes);
   }
 
   namespace

@@ -6,7 +6,6 @@
 #include "postprocess/files/summary.h"
 
 #include <deal.II/base/types.h>
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
@@ -27,12 +26,12 @@ namespace apps
     /** The cell, its particles of one material; of `no_region`: as the packing numbers them. */
     dem::Packing numbered(const MediumSource &source, const std::string &material)
     {
-      MaterialSection everywhere = source.material;
+      MaterialSection everywhere = source.specimen.material;
       everywhere.regions.clear(); // places in the scene, which the cell of a packing is not part of
       dem::Packing cell = *source.cell;
       if (material != no_region)
         cell.material.clear();
-      everywhere.number(cell, source.dimension, origin_of(source.specimen));
+      everywhere.number(cell, source.specimen.dimension, origin_of(source.specimen.source));
       if (material == no_region)
         return cell;
       const std::vector<std::string> known = everywhere.names();
@@ -44,12 +43,12 @@ namespace apps
     std::optional<coupling::ParticleMedium> medium_of(const MediumSource &source, const std::string &material)
     {
       dem::NetworkParameters links;
-      links.dimension         = source.dimension;
+      links.dimension         = source.specimen.dimension;
       links.rotations         = source.rotations;
-      links.interaction_ratio = source.specimen.interaction_ratio;
-      links.thickness         = source.specimen.thickness;
-      return coupling::medium_of_cell(numbered(source, material), links, source.material.materials(),
-                                      source.specimen.density);
+      links.interaction_ratio = source.specimen.source.interaction_ratio;
+      links.thickness         = source.specimen.source.thickness;
+      return coupling::medium_of_cell(numbered(source, material), links, source.specimen.material.materials(),
+                                      source.specimen.source.density);
     }
 
     /** What the middles of a group's elements are of, by the regions; those in the particles' own region go. */
@@ -69,7 +68,7 @@ namespace apps
           if (handshakes.is_taken(place))
             continue;
           std::string material = no_region;
-          for (const MaterialRegion &region : source.material.regions)
+          for (const MaterialRegion &region : source.specimen.material.regions)
             if (region.region.holds(place, dim))
               material = region.material; // later ones win
           found[named.at(element->material_id())].insert(material);
@@ -99,13 +98,13 @@ namespace apps
   media_of(const MediumSource &source, const ContinuumModel &continuum, const HandshakesSection &handshakes)
   {
     ParticleMedia media;
-    if (!source.cell)
+    if (!source.cell || source.specimen.given())
       return media;
     std::map<std::string, std::set<std::string>> of_groups;
     for (const auto &group : continuum.materials.groups)
       of_groups[group->group] = {no_region};
-    if (!source.material.regions.empty())
-      for (const auto &[group, materials] : source.dimension == 2 ?
+    if (!source.specimen.material.regions.empty())
+      for (const auto &[group, materials] : source.specimen.dimension == 2 ?
                                               materials_by_group<2>(source, continuum, handshakes) :
                                               materials_by_group<3>(source, continuum, handshakes))
         of_groups[group] = materials;
@@ -141,7 +140,8 @@ namespace apps
         std::vector<std::string> several = media.several_in(group->group);
         if (several.empty())
           throw base::InputError(where + "Homogenised wants particles of a packing that is periodic and resists every "
-                                         "strain. Give the constants, or a Stiffness file of breccia homogenise.");
+                                         "strain, and of no mix, whose aggregates lie in the specimen. Give the "
+                                         "constants, or a Stiffness file of breccia homogenise.");
         std::replace(several.begin(), several.end(), std::string(no_region), std::string("that of no region"));
         throw base::InputError(
           fmt::format("{}Homogenised: by Regions its elements are of several materials of the particles "

@@ -1,9 +1,8 @@
 #pragma once
 
-#include "apps/models/material.h"
-#include "apps/models/specimen.h"
 #include "apps/runs/continuum/model.h"
 #include "apps/runs/coupled/handshakes.h"
+#include "apps/specimens/mixed_specimen.h"
 #include "coupling/volume/particle_medium.h"
 #include "dem/model/packing.h"
 
@@ -51,14 +50,13 @@ namespace apps
   struct MediumSource
   {
     const std::optional<dem::Packing> &cell; ///< periodic, of which they are a part
-    const SpecimenSection             &specimen;
-    const MaterialSection             &material;
-    int                                dimension = 3;
+    MixedSpecimen                      specimen;
     bool                               rotations = true; ///< whether particles spin
   };
 
   /**
-   * Nothing where there is no periodic cell, or it does not resist every strain. Of a group of elements whose places lie in one region of
+   * Nothing where there is no periodic cell, it does not resist every strain, or particles are of a mix, whose aggregates lie in the box that the
+   * specimen is, and in no cell of the packing. Of a group of elements whose places lie in one region of
    * a material, the cell with all its particles of that; where no region is, with materials as the packing numbers them.
    * @param handshakes what of the elements goes
    */

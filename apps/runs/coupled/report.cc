@@ -33,6 +33,13 @@ namespace apps
             warnings()};
   }
 
+  nlohmann::json CoupledReport::summary() const
+  {
+    nlohmann::json found = common().summary(figures(), energy(), cost());
+    body.particles().put_mix_into(found);
+    return found;
+  }
+
   std::vector<std::string> CoupledReport::warnings() const
   {
     std::vector<std::string> all = body.doubts();
@@ -143,7 +150,7 @@ namespace apps
     if (model.laboratory.given())
       text += text_of(notes());
     if (model.particles.bonded())
-      text += BreakResults{body.particles().specimen(), {}}.text();
+      text += model.particles.mixed().text() + BreakResults{body.particles().specimen(), {}}.text();
     text += common().text();
     const std::int64_t again = body.windows_taken_back();
     text += fmt::format("cost         {}, {} windows{} with {} threads\n", duration_text(wall_seconds), body.windows(),

@@ -24,7 +24,7 @@ namespace apps
     double                       wall_seconds;
     std::string                  not_in_balance; ///< see left_out_of_balance()
 
-    nlohmann::json summary() const { return common().summary(figures(), energy(), cost()); }
+    nlohmann::json summary() const;
     /** Figures, what ended the run, energy balance and cost; and a warning where nothing ever touched. */
     std::string text() const;
 

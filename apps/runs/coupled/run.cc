@@ -164,7 +164,7 @@ namespace apps
                               start,
                               series,
                               wall_seconds,
-                              left_out_of_balance(*model.particles.material.materials().bonds(model.particles.physics),
+                              left_out_of_balance(*model.particles.materials(packing).bonds(model.particles.physics),
                                                   body->particles().specimen().particles().radius)};
     return {found.summary(), found.text(),
             std::shared_ptr<const dem::ObservedSpecimen>(body, &body->particles().specimen())};

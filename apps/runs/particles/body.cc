@@ -8,6 +8,7 @@
 #include "dem/specimen/packed_clumps.h"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <limits>
@@ -16,22 +17,29 @@ namespace apps
 {
   namespace
   {
-    dem::Specimen
-    specimen_with_clumps(const ParticlesModel &model, const dem::Packing &packing, const ParticleGroups &groups)
+    dem::Specimen specimen_with_clumps(const ParticlesModel &model,
+                                       const dem::Packing   &packing,
+                                       const JointedPacking &jointed,
+                                       const ParticleGroups &groups)
     {
-      const JointedPacking jointed = model.jointed(packing);
-      dem::Specimen        made(jointed.packing(), model.parameters(), jointed.materials(model.material.materials()));
+      dem::Specimen made(jointed.packing(), model.parameters(), jointed.materials(model.materials(packing)));
       model.clumps.make(made, groups);
-      dem::add_packed_clumps(made, packing, model.material.materials());
+      dem::add_packed_clumps(made, packing, model.materials(packing));
       return made;
     }
   } // namespace
 
   ParticlesBody::ParticlesBody(const ParticlesModel &what, const dem::Packing &particles)
+    : ParticlesBody(what, particles, what.jointed(particles))
+  {
+  }
+
+  ParticlesBody::ParticlesBody(const ParticlesModel &what, const dem::Packing &particles, const JointedPacking &jointed)
     : model(&what)
     , packing(&particles)
     , groups(what.groups_in(particles))
-    , body(specimen_with_clumps(what, particles, groups))
+    , classes(jointed.link_classes(what.mixed().link_classes(particles.material_names)))
+    , body(specimen_with_clumps(what, particles, jointed, groups))
     , motion(body, what.motion, groups)
     , forces(body, what.forces, groups)
     , walls(body, what.walls)
@@ -53,6 +61,13 @@ namespace apps
   double ParticlesBody::done() const
   {
     return std::min(1.0, std::max(lab ? lab->done() : 0.0, body.time() / model->last_time()));
+  }
+
+  void ParticlesBody::put_mix_into(nlohmann::json &summary) const
+  {
+    model->mixed().put_into(summary);
+    if (const nlohmann::json by_class = classes.json(classes.figures(body)); !by_class.empty())
+      summary["link_classes"] = by_class;
   }
 
   StaticStart ParticlesBody::start()

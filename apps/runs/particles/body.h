@@ -1,9 +1,12 @@
 #pragma once
 
 #include "apps/runs/particles/model.h"
+#include "apps/specimens/link_classes.h"
 #include "apps/specimens/static_start.h"
 #include "dem/laboratory/lab_test.h"
 #include "dem/specimen/specimen.h"
+
+#include <nlohmann/json_fwd.hpp>
 
 #include <cstdint>
 #include <memory>
@@ -41,6 +44,7 @@ namespace apps
     dem::Specimen               &specimen() { return body; } ///< for what is coupled with it
     const Walls                 &all_walls() const { return walls; }
     const ParticleGroups        &all_groups() const { return groups; }
+    const LinkClasses           &link_classes() const { return classes; }
     /** A reader must have been made from the same model and packing. */
     void visit_state(base::StateVisitor &visitor);
     /** Of that only what the prescribed motions remember besides the specimen. */
@@ -49,6 +53,8 @@ namespace apps
     const dem::LabTest *test() const { return lab.get(); }
     bool                test_is_over() const { return lab && lab->finished(); }
     bool                test_is_loading() const { return lab && lab->stage() == dem::LabTest::Stage::loading; }
+    /** "mix" and "link_classes", where the particles are of one or the links of several. */
+    void put_mix_into(nlohmann::json &summary) const;
     /** How far it has come on the way to its end, in [0, 1]. */
     double done() const;
     /** Go on from where another one is, made from the same model and packing, and load at a part of the test's speed. @pre test() */
@@ -57,12 +63,14 @@ namespace apps
     void load_at(const double part_of_speed) { lab->change_speed(part_of_speed); }
 
   private:
+    ParticlesBody(const ParticlesModel &model, const dem::Packing &packing, const JointedPacking &jointed);
     /** Pushes of the step to come, which no checkpoint holds, and what the laboratory does in it. */
     void push();
 
     const ParticlesModel *model;
     const dem::Packing   *packing;
     ParticleGroups        groups;
+    LinkClasses           classes;
     dem::Specimen         body;
     PrescribedMotion      motion;
     AppliedForces         forces;

@@ -140,7 +140,10 @@ namespace apps
                                          "secant_modulus_to_half",
                                          "poisson_ratio_by_slopes",
                                          "poisson_ratio",
-                                         "stress_over_force"};
+                                         "stress_over_force",
+                                         "work_of_fracture",
+                                         "friction_over_section",
+                                         "stress_left"};
     if (test.confined())
       names.insert(names.end(), {"confining_pressure", "axial_strength"});
     if (test.asked.seating_stress > 0)
@@ -173,6 +176,7 @@ namespace apps
     found["poisson_ratio_by_slopes"]                                = figure(f.poisson_slope, "-");
     found["poisson_ratio"]                                          = figure(f.poisson_secant, "-");
     found["stress_over_force"]                                      = quantity(test.stress_of_force(), "1/m^2");
+    found.update(fracture_json(f));
     if (asked.published.given())
       found["published"] = asked.published.json(f);
     if (asked.confined())
@@ -183,6 +187,15 @@ namespace apps
       found["strain_at_end_of_seating"] = quantity(test.seated_strain(), "-");
     found["quasi_static"] = json_of(how_static(), slower);
     return found;
+  }
+
+  nlohmann::json LaboratoryReport::fracture_json(const dem::TestFigures &f) const
+  {
+    const auto over_area    = [this](const double energy) { return dem::Finding::of(energy / test.fracture_area()); };
+    const dem::Finding none = dem::Finding::none("the specimen has not broken: its strength is not determined");
+    return {{"work_of_fracture", figure(f.strength.found ? over_area(test.work()) : none, "J/m^2")},
+            {"friction_over_section", figure(f.strength.found ? over_area(test.friction()) : none, "J/m^2")},
+            {"stress_left", figure(f.strength.found ? dem::Finding::of(test.stress_left()) : none, "-")}};
   }
 
   std::vector<std::string> LaboratoryReport::warnings() const
@@ -246,6 +259,11 @@ namespace apps
                   "Poisson's ratio {}\n",
                   top, words(f.modulus, 1e-9, " GPa"), words(f.gauge_modulus, 1e-9, " GPa"),
                   words(f.poisson_slope, 1, ""), words(f.secant_modulus, 1e-9, " GPa"), words(f.poisson_secant, 1, ""));
+    if (f.strength.found)
+      text += fmt::format(
+        "fracture     work {:.4g} J/m^2 of the section, {:.4g} of it by friction, with {:.0f} % of the "
+        "strength left\n",
+        test.work() / test.fracture_area(), test.friction() / test.fracture_area(), 100 * test.stress_left());
     text += asked.published.text(f);
     text += text_of(how_static(), top);
     return text;

@@ -33,6 +33,7 @@ namespace apps
     std::string text() const;
 
   private:
+    nlohmann::json   fracture_json(const dem::TestFigures &found) const; ///< work and friction over the section
     std::string      strength_text(const dem::TestFigures &found) const;
     dem::QuasiStatic how_static() const;
   };

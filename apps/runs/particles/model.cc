@@ -36,6 +36,7 @@ namespace apps
   {
     source.check(root, physics.dimension);
     material.check(root, physics.dimension);
+    mixed().check(root);
     const base::EntryPath specimen = root.at("Specimen");
     if (bonded() && !source.says_distance)
       specimen.refuse("Interaction ratio",
@@ -64,7 +65,7 @@ namespace apps
       return clumps.clumps.empty() ? std::function<bool(std::size_t, std::size_t)>() :
                                           clumps.one_body(groups_in(whole), whole.size());
     };
-    return more.compose(specimen, material, physics.dimension, one_body, keeps, cell);
+    return more.compose({specimen, mix, material, physics.dimension}, one_body, keeps, cell);
   }
 
   ParticleGroups ParticlesModel::groups_in(const dem::Packing &packing) const

@@ -14,6 +14,7 @@
 #include "apps/runs/particles/probes.h"
 #include "apps/runs/particles/stops.h"
 #include "apps/specimens/jointed_packing.h"
+#include "apps/specimens/mixed_specimen.h"
 #include "base/entry_path.h"
 #include "postprocess/files/series.h"
 
@@ -25,6 +26,7 @@ namespace apps
   struct ParticlesModel
   {
     SpecimenSection         source;
+    MixSection              mix;    ///< of the specimen
     JointSection            joints; ///< through the specimen; none where it is part of a larger model
     MoreParticlesSection    more;
     MaterialSection         material;
@@ -59,6 +61,13 @@ namespace apps
     /** @param packing as packing() makes it */
     ParticleGroups          groups_in(const dem::Packing &packing) const;
     dem::SpecimenParameters parameters() const;
+    /** The specimen's particles and links; what is beside it is of the first material, with a mix of the mortar. */
+    MixedSpecimen mixed() const { return {source, mix, material, physics.dimension}; }
+    /** Of all particles. @param packing as packing() makes it */
+    dem::LinkMaterials materials(const dem::Packing &packing) const
+    {
+      return mixed().materials(packing.material_names);
+    }
     /** A packing with the joints through it. @throws base::InputError */
     JointedPacking jointed(const dem::Packing &packing) const;
 

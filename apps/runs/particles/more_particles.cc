@@ -83,9 +83,14 @@ namespace apps
                                     part.clump[i] + static_cast<std::int32_t>(whole.bodies.size()));
           whole.bodies.insert(whole.bodies.end(), part.bodies.begin(), part.bodies.end());
         }
+      if (!whole.material.empty() || !part.material.empty()) // none of its own: of the first, with a mix the mortar
+        {
+          whole.material.resize(whole.size(), 0);
+          whole.material.insert(whole.material.end(), part.material.begin(), part.material.end());
+          whole.material.resize(whole.size() + part.size(), 0);
+        }
       whole.centre.insert(whole.centre.end(), part.centre.begin(), part.centre.end());
       whole.radius.insert(whole.radius.end(), part.radius.begin(), part.radius.end());
-      whole.material.insert(whole.material.end(), part.material.begin(), part.material.end());
       if (whole.material_names.empty())
         whole.material_names = part.material_names;
     }
@@ -133,27 +138,25 @@ namespace apps
     }
   } // namespace
 
-  dem::Packing MoreParticlesSection::compose(const SpecimenSection                              &specimen,
-                                             const MaterialSection                              &materials,
-                                             const int                                           dimension,
+  dem::Packing MoreParticlesSection::compose(const MixedSpecimen                                &specimen,
                                              const OneBody                                      &one_body,
                                              const std::function<bool(const Eigen::Vector3d &)> &keeps,
                                              std::optional<dem::Packing> *const                  cell) const
   {
     dem::Packing whole;
-    if (specimen.source != SpecimenSection::Source::none)
+    if (specimen.source.source != SpecimenSection::Source::none)
       {
-        whole = specimen_particles(specimen, dimension, cell);
+        whole = specimen_particles(specimen.source, specimen.dimension, cell);
         if (keeps)
           whole = kept_of(whole, keeps);
-        materials.number(whole, dimension, origin_of(specimen));
+        specimen.number_part(whole, origin_of(specimen.source));
       }
     for (const AddedParticles *one : in_order())
-      append(whole, numbered(*one, materials, dimension));
-    const std::string origin = added.empty() ? origin_of(specimen) : "Specimen and More particles";
-    materials.require_all(whole, origin);
+      append(whole, numbered(*one, specimen.material, specimen.dimension));
+    const std::string origin = added.empty() ? origin_of(specimen.source) : "Specimen and More particles";
+    specimen.material.require_all(whole, origin);
     dem::check_packing(whole, origin);
-    dem::check_overlaps(whole, origin, dimension, one_body(whole));
+    dem::check_overlaps(whole, origin, specimen.dimension, one_body(whole));
     return whole;
   }
 

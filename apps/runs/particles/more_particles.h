@@ -1,8 +1,8 @@
 #pragma once
 
 #include "apps/models/material.h"
-#include "apps/models/specimen.h"
 #include "apps/runs/particles/groups.h"
+#include "apps/specimens/mixed_specimen.h"
 #include "apps/text/corner_list.h"
 #include "base/entry_path.h"
 #include "base/length_unit.h"
@@ -53,9 +53,7 @@ namespace apps
     /** @param names takes theirs. @throws base::InputError. */
     void check(const base::EntryPath &root, int dimension, const MaterialSection &materials, GroupNames &names) const;
     /** Specimen and added particles together, loose ones last, with their materials. @param one_body what may overlap in it @param cell as specimen_particles() has it @throws base::InputError, and as make_packing() */
-    dem::Packing compose(const SpecimenSection                              &specimen,
-                         const MaterialSection                              &materials,
-                         int                                                 dimension,
+    dem::Packing compose(const MixedSpecimen                                &specimen,
                          const OneBody                                      &one_body,
                          const std::function<bool(const Eigen::Vector3d &)> &keeps = {},
                          std::optional<dem::Packing>                        *cell  = nullptr) const;

@@ -62,7 +62,9 @@ namespace apps
                                 {"time_step", specimen().time_step()}, {"wall_seconds", wall_seconds}};
     if (exchange)
       cost.update({{"windows", exchange->windows()}, {"iterations", exchange->iterations()}});
-    return common().summary(figures(), json_of(specimen().energy()), cost);
+    nlohmann::json found = common().summary(figures(), json_of(specimen().energy()), cost);
+    body.put_mix_into(found);
+    return found;
   }
 
   std::string ParticlesReport::text() const
@@ -78,7 +80,8 @@ namespace apps
     if (body.test())
       text += LaboratoryReport{model.laboratory, *body.test(), slower}.text();
     if (model.bonded())
-      text += BreakResults{specimen(), {}}.text();
+      text += model.mixed().text() + body.link_classes().text(body.link_classes().figures(specimen())) +
+              BreakResults{specimen(), {}}.text();
     text += common().text();
     text += fmt::format("cost         {}, {} steps with {} threads\n", duration_text(wall_seconds), specimen().steps(),
                         omp_get_max_threads());

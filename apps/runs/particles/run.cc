@@ -316,7 +316,7 @@ namespace apps
       start,
       series,
       wall_seconds,
-      left_out_of_balance(*model.material.materials().bonds(model.physics), body->specimen().particles().radius),
+      left_out_of_balance(*model.materials(packing).bonds(model.physics), body->specimen().particles().radius),
       slow ? slow->test() : nullptr,
       exchange.get()};
     return {found.summary(), grown_text + found.text(),
@@ -332,6 +332,7 @@ namespace apps
         warn_of_missing("crack.png", draw_crack(folder / "crack.png"));
         BreakResults{body->specimen(), packing.material_names}.write(folder);
       }
+    warn_of_missing("grading.png", model.mixed().draw_grading(folder));
     const std::string title = std::filesystem::path(request.scene_file).stem().string();
     if (body->test())
       LaboratoryReport{model.laboratory, *body->test(), slow ? slow->test() : nullptr}.write(folder, title);

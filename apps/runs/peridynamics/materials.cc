@@ -1,7 +1,10 @@
 #include "apps/runs/peridynamics/materials.h"
 
+#include "apps/results/warning.h"
+#include "apps/specimens/mix_work.h"
 #include "apps/text/nearest_name.h"
 #include "base/errors.h"
+#include "dem/mesostructure/bodies_apart.h"
 
 #include <fmt/format.h>
 
@@ -14,6 +17,14 @@ namespace apps
 
   namespace
   {
+    std::vector<std::int32_t> by_place(const pd::Grid &grid, const std::vector<std::int32_t> &of_nodes)
+    {
+      std::vector<std::int32_t> made(grid.places(), 0);
+      for (std::size_t n = 0; n < of_nodes.size(); ++n)
+        made[grid.nodes()[n]] = of_nodes[n];
+      return made;
+    }
+
     void check_breakage(const base::EntryPath &section, const double stretch, const double energy, const int dimension)
     {
       if (stretch > 0 && energy > 0)
@@ -30,7 +41,10 @@ namespace apps
       section.refuse("Density", "must be > 0 where Analysis/Method is motion.");
   }
 
-  void PeridynamicMaterialsSection::check(const base::EntryPath &root, const pd::Space space, const bool moves) const
+  void PeridynamicMaterialsSection::check(const base::EntryPath &root,
+                                          const pd::Space        space,
+                                          const Eigen::Vector3d &size,
+                                          const bool             moves) const
   {
     const int             dimension = pd::dimension_of(space);
     const base::EntryPath section   = root.at("Material");
@@ -39,6 +53,7 @@ namespace apps
       section.refuse("Poisson ratio", dimension == 1 ?
                                         std::string("a rod has none.") :
                                         fmt::format("bonds have {:.6g} here, and no other: leave the entry out.", nu));
+    check_mix(root, dimension, size);
     if (named.empty())
       {
         only.check(section, dimension, moves);
@@ -58,6 +73,22 @@ namespace apps
     check_regions(regions, names(), root, dimension);
   }
 
+  void PeridynamicMaterialsSection::check_mix(const base::EntryPath &root,
+                                              const int              dimension,
+                                              const Eigen::Vector3d &size) const
+  {
+    const base::EntryPath body = root.at("Body");
+    if (mix.given() && dimension == 1)
+      body.refuse("Mix", "a rod has no aggregates.");
+    mix.check(body, size, dimension);
+    if (!mix.given() || named.empty())
+      return;
+    const std::vector<std::string> known = names();
+    for (const auto &[entry, name] : {std::pair{"Mortar", mix.mortar}, std::pair{"Aggregate", mix.aggregate}})
+      if (std::find(known.begin(), known.end(), name) == known.end())
+        body.at("Mix").refuse(entry, "is not in section Materials. " + did_you_mean(name, known));
+  }
+
   void PeridynamicMaterialsSection::check_interfaces(const base::EntryPath &root, const int dimension) const
   {
     const std::vector<std::string> known = names();
@@ -73,6 +104,8 @@ namespace apps
 
   std::vector<std::string> PeridynamicMaterialsSection::names() const
   {
+    if (named.empty() && mix.given())
+      return {mix.mortar, mix.aggregate};
     std::vector<std::string> all;
     for (const PeridynamicConstants &each : named)
       all.push_back(each.name);
@@ -86,15 +119,71 @@ namespace apps
     for (const std::size_t i : grid.nodes())
       places.push_back(grid.position(i));
     std::vector<std::int32_t> of_nodes(places.size(), 0);
+    if (mix.given())
+      {
+        const auto number = [&](const std::string &name) {
+          return static_cast<std::int32_t>(std::find(known.begin(), known.end(), name) - known.begin());
+        };
+        std::size_t count = 0;
+        const auto  in    = aggregates(grid, count);
+        for (std::size_t n = 0; n < in.size(); ++n)
+          of_nodes[n] = number(in[n] == dem::in_mortar ? mix.mortar : mix.aggregate);
+      }
     number_by_regions(regions, known, places, grid.dimension() == 1 ? 3 : grid.dimension(), of_nodes);
     for (std::size_t k = 0; k < known.size(); ++k)
       if (std::find(of_nodes.begin(), of_nodes.end(), static_cast<std::int32_t>(k)) == of_nodes.end())
         throw base::InputError("Materials/" + known[k] +
                                ": no node is of it. Take it out, or check Regions and their units (metres).");
-    std::vector<std::int32_t> by_place(grid.places(), 0);
-    for (std::size_t n = 0; n < of_nodes.size(); ++n)
-      by_place[grid.nodes()[n]] = of_nodes[n];
-    return by_place;
+    return by_place(grid, of_nodes);
+  }
+
+  std::vector<std::int32_t> PeridynamicMaterialsSection::aggregates(const pd::Grid &grid, std::size_t &count) const
+  {
+    const Eigen::Vector3d        size    = grid.body().size;
+    const MixBox                 box     = grid.dimension() == 2 ? MixBox{mix.box_behind(size), true} : MixBox{size};
+    const MixFigures             figures = mix_figures(mix, box);
+    std::vector<Eigen::Vector3d> places;
+    for (const std::size_t i : grid.nodes())
+      places.emplace_back(grid.position(i) + 0.5 * size); // the body lies about the origin
+    give_note("mix: " + figures.text());
+    count   = figures.placed.structure.inclusions.size();
+    auto in = dem::aggregates_at(figures.placed.structure, places);
+    if (std::all_of(in.begin(), in.end(), [](const std::int32_t a) { return a == dem::in_mortar; }))
+      throw base::InputError("Body/Mix: no node lies in an aggregate: make Grid/Spacing smaller than these are.");
+    return in;
+  }
+
+  pd::Mixture
+  PeridynamicMaterialsSection::mixture_of(const pd::Material &mortar, const pd::Grid &grid, const double horizon) const
+  {
+    std::size_t  count = 0;
+    const auto   in    = aggregates(grid, count);
+    dem::Packing nodes; // as far apart as the grid has them: within the horizon of each other is near
+    for (const std::size_t i : grid.nodes())
+      {
+        nodes.centre.push_back(grid.position(i));
+        nodes.radius.push_back(0.5 * grid.spacing());
+      }
+    constexpr double beyond = 1 + 1e-6; // a node at the horizon to rounding lies within it
+    const auto       copy   = dem::numbers_apart(nodes, in, count, beyond * horizon / grid.spacing());
+    const auto       scaled = [&mortar](const dem::ConstantFactors &by) {
+      pd::Material made = mortar;
+      made.young_modulus *= by.stiffness;
+      made.critical_stretch *= by.strength / by.stiffness;
+      return made;
+    };
+    std::vector<pd::Material> all(2 + static_cast<std::size_t>(*std::max_element(copy.begin(), copy.end())),
+                                  scaled(mix.aggregates));
+    all.front() = mortar;
+    std::vector<std::int32_t> of_nodes;
+    for (const std::int32_t a : in)
+      of_nodes.push_back(a == dem::in_mortar ? 0 : 1 + copy[static_cast<std::size_t>(a)]);
+    pd::Mixture        made(all, by_place(grid, of_nodes));
+    const pd::Material interface = scaled(mix.interface);
+    for (std::size_t one = 0; one < all.size(); ++one)
+      for (std::size_t other = 0; other < one; ++other)
+        made.between(one, other) = {interface.young_modulus, interface.critical_stretch};
+    return made;
   }
 
   pd::Mixture PeridynamicMaterialsSection::mixture(const pd::Grid &grid, const double horizon) const
@@ -110,7 +199,7 @@ namespace apps
                           bonds, calibration};
     };
     if (named.empty())
-      return pd::Mixture(material(only));
+      return mix.given() ? mixture_of(material(only), grid, horizon) : pd::Mixture(material(only));
     std::vector<pd::Material> several;
     for (const PeridynamicConstants &each : named)
       several.push_back(material(each));

@@ -1,10 +1,13 @@
 #pragma once
 
 #include "apps/models/material_region.h"
+#include "apps/models/mix.h"
 #include "base/entry_path.h"
 #include "dem/peridynamics/grid.h"
 #include "dem/peridynamics/mixture.h"
 
+#include <cstddef>
+#include <cstdint>
 #include <list>
 #include <string>
 #include <vector>
@@ -39,9 +42,11 @@ namespace apps
     std::list<PeridynamicConstants> named; ///< empty: there is one
     std::list<MaterialRegion>       regions;
     std::list<PeridynamicInterface> interfaces;
+    MixSection mix; ///< by which nodes are mortar or aggregate; of its factors ductility does not count
 
-    /** @param moves whether densities matter @throws base::InputError */
-    void check(const base::EntryPath &root, dem::peridynamics::Space space, bool moves) const;
+    /** @param size of the body [m] @param moves whether densities matter @throws base::InputError */
+    void
+    check(const base::EntryPath &root, dem::peridynamics::Space space, const Eigen::Vector3d &size, bool moves) const;
 
     std::vector<std::string> names() const; ///< empty where there is one
     /** @param horizon [m] @throws base::InputError for a material that no node is of */
@@ -49,6 +54,12 @@ namespace apps
 
   private:
     void check_interfaces(const base::EntryPath &root, int dimension) const;
+    void check_mix(const base::EntryPath &root, int dimension, const Eigen::Vector3d &size) const;
+    /** Aggregate that each node lies in, or dem::in_mortar. @param aggregates how many there are */
+    std::vector<std::int32_t> aggregates(const dem::peridynamics::Grid &grid, std::size_t &aggregates) const;
+    /** Mortar, aggregates and interfaces of one material times factors. */
+    dem::peridynamics::Mixture
+    mixture_of(const dem::peridynamics::Material &mortar, const dem::peridynamics::Grid &grid, double horizon) const;
     /** Materials of the nodes, by place. */
     std::vector<std::int32_t> numbers(const dem::peridynamics::Grid &grid) const;
   };

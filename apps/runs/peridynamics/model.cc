@@ -81,7 +81,7 @@ namespace apps
   void PeridynamicsModel::check(const base::EntryPath &root) const
   {
     check_body(root);
-    materials.check(root, space(), !analysis.quiet());
+    materials.check(root, space(), place_of(size), !analysis.quiet());
     check_places(root);
     loads.check(root, dimension());
   }

@@ -77,7 +77,7 @@ namespace apps
     const pd::LatticeConstants      &l     = bonds.lattice();
     const std::vector<pd::Material> &all   = bonds.mixture().materials;
     std::string                      lines = "grid         Young's modulus ";
-    for (std::size_t n = 0; n < all.size(); ++n)
+    for (std::size_t n = 0; n < std::max<std::size_t>(1, names.size()); ++n) // copies of the last are all alike
       lines += fmt::format("{}{:.5g} Pa{}", n == 0 ? "" : ", ", l.young_modulus * all[n].young_modulus,
                            names.empty() ? "" : " (" + names[n] + ")");
     lines += fmt::format(" along its axes ({:+.2f} %)", 100 * (l.young_modulus - 1));

@@ -202,10 +202,7 @@ namespace apps
       snapshot();
     const dem::LinkOutput joined = dem::links_of(loaded, path);
     result.notes.crack           = dem::measure_crack(dem::particles_of(loaded, path, radius, shape), joined, shape);
-    std::vector<double> area;
-    for (const dem::ElasticLink &link : loaded.network.links)
-      area.push_back(link.area);
-    result.link_classes = classes.figures(joined, area);
+    result.link_classes          = classes.figures(joined, loaded.network);
     dem::CurveFigures curve;
     for (std::size_t i = 0; i < result.strain.size(); ++i)
       curve.add(result.strain[i], result.stress[i]);

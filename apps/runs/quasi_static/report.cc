@@ -55,8 +55,7 @@ namespace apps
                          {"wall_seconds", wall_seconds}};
     summary["energy"] = {{"balance_error", worst_balanced(results).worst_balance_error}};
     test.materials.put_into(summary);
-    if (model.mix.given())
-      summary["mix"] = model.mixed().figures(test.cell_edges()).json();
+    model.mixed().put_into(summary, test.cell_edges());
     for (const QuasiStaticResult &r : results)
       summary["tests"].push_back(details_of(r, test.classes));
     return summary;
@@ -73,18 +72,14 @@ namespace apps
         panels.push_back(panel_of(r.load, strain, stress));
       }
     std::string missing = postprocess::plot(file, panels);
-    if (model.mix.given())
-      if (const std::string grading = model.mixed().figures(test.cell_edges()).draw(file.parent_path() / "grading.png");
-          missing.empty())
-        missing = grading;
+    if (const std::string grading = model.mixed().draw_grading(file.parent_path(), test.cell_edges()); missing.empty())
+      missing = grading;
     return missing;
   }
 
   std::string QuasiStaticReport::text() const
   {
-    std::string text;
-    if (model.mix.given())
-      text += fmt::format("mix          {}\n", model.mixed().figures(test.cell_edges()).text());
+    std::string text = model.mixed().text(test.cell_edges());
     for (const QuasiStaticResult &r : results)
       {
         text += text_of(r.notes) + test.classes.text(r.link_classes);

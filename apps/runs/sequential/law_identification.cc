@@ -144,7 +144,7 @@ namespace apps
       : model(model_)
       , strained(packing,
                  without_impactor(model_.particles.specimen_parameters()),
-                 model_.particles.material.materials(),
+                 model_.particles.mixed().materials(packing.material_names),
                  parameters(model_),
                  {model_.transfer.field, model_.transfer.options.averaging, smoothed_size})
     {
@@ -211,8 +211,9 @@ namespace apps
   {
     Test                          test(model, packing, smoothed_size());
     const dem::UniaxialParameters asked = Test::parameters(model);
-    const double                  end =
-      strain_of_failure(*model.particles.material.materials().bonds_in_space(model.particles.physics), packing, asked);
+    const double                  end   = strain_of_failure(
+                         *model.particles.mixed().materials(packing.material_names).bonds_in_space(model.particles.physics), packing,
+                         asked);
     return apps::expected_seconds(test, std::min(1.0, end / asked.stop_strain));
   }
 

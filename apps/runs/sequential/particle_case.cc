@@ -86,7 +86,7 @@ namespace apps
                    const dem::Packing                  &packing,
                    const ParticleEventSection::Instant &when)
         : instant(when)
-        , specimen(packing, event.specimen_parameters(), event.material.materials())
+        , specimen(packing, event.specimen_parameters(), event.mixed().materials(packing.material_names))
         , test(specimen, uniaxial_parameters(event, when.forward))
         , back_rate(-std::copysign(event.back_rate > 0 ? event.back_rate : 0.5 * event.strain_rate, when.forward))
         , steps_forward(steps_for(when.forward, event.strain_rate))
@@ -159,7 +159,7 @@ namespace apps
         : parameters(with_velocity(event.impact, velocity))
         , specimen(dem::with_impactor(packing, parameters, event.physics.dimension),
                    event.specimen_parameters(),
-                   event.material.materials())
+                   event.mixed().materials(packing.material_names))
         , test(specimen, parameters)
         , notes(event.gravity)
       {

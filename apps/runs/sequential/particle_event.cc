@@ -1,7 +1,6 @@
 #include "apps/runs/sequential/particle_event.h"
 
 #include "apps/models/specimen_parameters.h"
-#include "apps/specimens/specimen_packing.h"
 
 #include <algorithm>
 #include <cmath>
@@ -40,6 +39,7 @@ namespace apps
       }
     specimen.check(s, physics.dimension);
     material.check(s, physics.dimension);
+    mixed().check(s);
     gravity.check(s, physics.dimension);
     if (source == Source::impact)
       {
@@ -90,8 +90,6 @@ namespace apps
 
   dem::Packing event_packing(const ParticleEventSection &event)
   {
-    return event.source == ParticleEventSection::Source::file ?
-             dem::Packing() :
-             make_packing(event.specimen, event.material, event.physics.dimension);
+    return event.source == ParticleEventSection::Source::file ? dem::Packing() : event.mixed().packing();
   }
 } // namespace apps

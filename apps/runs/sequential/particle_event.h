@@ -3,8 +3,8 @@
 #include "apps/models/gravity.h"
 #include "apps/models/grips.h"
 #include "apps/models/material.h"
-#include "apps/models/specimen.h"
 #include "apps/models/time.h"
+#include "apps/specimens/mixed_specimen.h"
 #include "base/entry_path.h"
 #include "dem/loading/impact.h"
 #include "dem/loading/uniaxial.h"
@@ -36,6 +36,7 @@ namespace apps
     Source                   source = Source::uniaxial;
     std::vector<std::string> files; ///< of saved states
     SpecimenSection          specimen;
+    MixSection               mix; ///< of the specimen
     MaterialSection          material;
     dem::Physics             physics;
     TimeSection              time;
@@ -55,6 +56,8 @@ namespace apps
     std::function<bool()> strained_too; ///< its specimen is also strained between grips, whatever the source
 
     void check(const base::EntryPath &root) const;
+
+    MixedSpecimen mixed() const { return {specimen, mix, material, physics.dimension}; } ///< its particles and links
 
     dem::SpecimenParameters specimen_parameters() const;
     std::size_t             cases() const;

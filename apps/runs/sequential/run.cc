@@ -163,6 +163,8 @@ namespace apps
       json["energy"]["not_in_balance"] = left_out;
     if (law)
       json["identification"] = law->json();
+    if (model.particles.source != ParticleEventSection::Source::file)
+      model.particles.mixed().put_into(json);
     return json;
   }
 
@@ -174,7 +176,7 @@ namespace apps
     std::vector<double> radius = ground.packing.radius;
     if (event.source == ParticleEventSection::Source::impact)
       radius.push_back(event.impact.impactor_radius);
-    return left_out_of_balance(*event.material.materials().bonds(event.physics), radius);
+    return left_out_of_balance(*event.mixed().materials(ground.packing.material_names).bonds(event.physics), radius);
   }
 
   RunResult SequentialRun::interrupted() const

@@ -30,9 +30,7 @@ namespace apps
 
     /**
      * @param series of the run, complete @param load column of the load
-     * @return nominal_strength: of the largest load; work_of_fracture: the external work over the ligament (RILEM TC 50-FMC, 1985,
-     * Mater. Struct. 18, 285: G_F = W / A; no weight acts here, so that none has done work); dissipated_over_ligament: without what is
-     * still stored; load_left: at the end, over the peak: the work is that of the whole crack only where this is small
+     * @return nominal_strength: of the largest load; and as WorkOfFracture has it
      */
     nlohmann::json                  figures(const postprocess::CsvTable &series, const std::string &load) const;
     std::string                     text(const postprocess::CsvTable &series, const std::string &load) const;

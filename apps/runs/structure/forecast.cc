@@ -46,7 +46,7 @@ namespace apps
       }
     const dem::QuasiStaticParameters path = model.path.parameters();
     text += fmt::format("  path         at least {:.0f} points to its end\n", path.end_strain / path.strain_step);
-    return text + duration_line(set_up + expected_path_seconds(structure.network(), model.material.materials(), path));
+    return text + duration_line(set_up + expected_path_seconds(structure.network(), model.materials(packing), path));
   }
 
 } // namespace apps

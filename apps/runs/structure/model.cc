@@ -28,6 +28,7 @@ namespace apps
   {
     source.check(root, dimension);
     material.check(root, dimension);
+    mixed().check(root);
     for (const VoidSection &empty : voids)
       empty.region.check(root.at("Voids").at(empty.name), dimension);
     GroupNames names;
@@ -36,6 +37,7 @@ namespace apps
     probes.check(root, dimension, names);
     path.check(root);
     bending_test.check(root);
+    wedge_splitting.check(root);
     if (!has_solid())
       return;
     const base::EntryPath solid = root.at("Continuum");
@@ -70,7 +72,7 @@ namespace apps
       throw base::InputError(
         "no particle of the specimen lies where particles are to be. Check the places of Handshakes and Voids "
         "against the packing (metres).");
-    material.assign(kept, dimension, origin_of(source));
+    mixed().number(kept, origin_of(source));
     return kept;
   }
 
@@ -78,7 +80,7 @@ namespace apps
   {
     if (!has_solid())
       return {};
-    return media_of({cell, source, material, dimension, rotations}, continuum, handshakes);
+    return media_of({cell, mixed(), rotations}, continuum, handshakes);
   }
 
   ParticleGroups StructureModel::groups_in(const dem::Packing &packing) const
@@ -103,7 +105,7 @@ namespace apps
     links.rotations         = rotations;
     links.interaction_ratio = source.interaction_ratio;
     links.thickness         = source.thickness;
-    return dem::make_network(packing, links, material.materials());
+    return dem::make_network(packing, links, materials(packing));
   }
 
   dem::ElasticNetwork StructureModel::network(const dem::Packing &packing) const

@@ -2,13 +2,14 @@
 
 #include "apps/models/material.h"
 #include "apps/models/region.h"
-#include "apps/models/specimen.h"
 #include "apps/runs/continuum/model.h"
 #include "apps/runs/coupled/handshakes.h"
 #include "apps/runs/coupled/particle_medium.h"
 #include "apps/runs/structure/bending_test.h"
 #include "apps/runs/structure/probes.h"
 #include "apps/runs/structure/supports.h"
+#include "apps/runs/structure/wedge_splitting.h"
+#include "apps/specimens/mixed_specimen.h"
 #include "base/entry_path.h"
 #include "dem/model/particles.h"
 #include "dem/statics/quasi_static_path.h"
@@ -39,6 +40,7 @@ namespace apps
   struct StructureModel
   {
     SpecimenSection           source;
+    MixSection                mix; ///< of the specimen
     MaterialSection           material;
     int                       dimension = 3;
     bool                      rotations = true;
@@ -50,6 +52,7 @@ namespace apps
     HandshakesSection         handshakes;
     PathSection               path;
     BendingTestSection        bending_test;
+    WedgeSplittingSection     wedge_splitting;
     std::int64_t              snapshot_interval   = 20; ///< points of the path
     double                    checkpoint_interval = 600;
     std::string               horizontal, vertical; ///< columns of the curve, as the scene asks for them
@@ -60,6 +63,13 @@ namespace apps
     bool has_solid() const { return !handshakes.empty(); }
     bool is_void(const Eigen::Vector3d &place) const;
     bool is_void_between(const Eigen::Vector3d &one, const Eigen::Vector3d &other) const;
+    /** The particles and their links, of which some may be left out. */
+    MixedSpecimen mixed() const { return {source, mix, material, dimension}; }
+    /** @param packing as packing() makes it, or a part of it */
+    dem::LinkMaterials materials(const dem::Packing &packing) const
+    {
+      return mixed().materials(packing.material_names);
+    }
     /** Of the specimen what is in no void and, beside a solid, may come to be in a region or its overlap. @param cell as specimen_particles() has it @throws as make_packing() */
     dem::Packing packing(std::optional<dem::Packing> *cell = nullptr) const;
     /** Of the particles, where there is a solid and they are known. @param cell as packing() gives it */

@@ -19,6 +19,8 @@ namespace apps
     found.add_figures({"crack/links", "crack/cracked", "crack/area", "load_factor"});
     if (model.bending_test.evaluate())
       found.add_figures(BendingTestSection::names());
+    if (model.wedge_splitting.evaluate())
+      found.add_figures(WedgeSplittingSection::names());
     return found;
   }
 } // namespace apps

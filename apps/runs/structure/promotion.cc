@@ -25,7 +25,7 @@ namespace apps
     regions->leave_out_around(now->surrounding()->burdened_nodes());
     regions->require_particles(now->surrounding()->motions_at(packing.centre, now->way().motion()));
     whole.emplace(dem::unloaded(model.network(packing)));
-    bonds = std::make_unique<dem::DamagingLinks>(*whole, model.material.materials());
+    bonds = std::make_unique<dem::DamagingLinks>(*whole, model.materials(packing));
   }
 
   coupling::GrowingRegions Promotion::growing_regions() const

@@ -29,8 +29,20 @@ namespace apps
     found["crack"] = {{"links", crack.links}, {"cracked", crack.cracked}, {"area", quantity(crack.area, "m^2")}};
     if (model.bending_test.evaluate())
       found["bending_test"] = model.bending_test.figures(series, structure.curve().second);
+    if (model.wedge_splitting.evaluate())
+      found["wedge_splitting"] = model.wedge_splitting.figures(series, structure.curve().second);
     found["load_factor"] = quantity(series.column("load_factor").back(), "-");
     return found;
+  }
+
+  LinkClasses StructureReport::classes() const
+  {
+    return LinkClasses(model.mixed().link_classes(structure.material_counts().names));
+  }
+
+  base::Column StructureReport::class_figures() const
+  {
+    return classes().figures(structure.link_output(), structure.network().network);
   }
 
   std::size_t StructureReport::points_by(const dem::StepControl control) const
@@ -77,6 +89,9 @@ namespace apps
     summary["energy"]      = energy();
     summary["cost"]        = cost();
     structure.material_counts().put_into(summary);
+    model.mixed().put_into(summary);
+    if (const nlohmann::json by_class = classes().json(class_figures()); !by_class.empty())
+      summary["link_classes"] = by_class;
     if (!media.empty() && structure.surrounding())
       summary["medium"] = {{"difference_of_stiffness", quantity(structure.surrounding()->difference_from(media), "-")}};
     auto handshake = model.handshakes.handshakes.begin();
@@ -93,7 +108,7 @@ namespace apps
 
   std::string StructureReport::text() const
   {
-    std::string text;
+    std::string text = model.mixed().text();
     for (const postprocess::SeriesColumn &column : structure.reported())
       {
         const auto &values = series.column(column.name);
@@ -105,6 +120,7 @@ namespace apps
     if (!media.empty() && structure.surrounding())
       text += fmt::format("medium       stiffness of the solid differs by {:.2g} from that of the particles\n",
                           structure.surrounding()->difference_from(media));
+    text += classes().text(class_figures());
     auto handshake = model.handshakes.handshakes.begin();
     for (const auto &[all, damaged] : structure.shared_bonds())
       text +=
@@ -118,6 +134,8 @@ namespace apps
                     100 * step->change, step->load_factor);
     if (model.bending_test.evaluate())
       text += model.bending_test.text(series, structure.curve().second);
+    if (model.wedge_splitting.evaluate())
+      text += model.wedge_splitting.text(series, structure.curve().second);
     text += fmt::format("path         {} points controlled by the load factor, {} by opening, {} relaxed (cascades)\n",
                         points_by(dem::StepControl::strain), points_by(dem::StepControl::opening),
                         points_by(dem::StepControl::relaxed));

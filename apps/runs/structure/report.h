@@ -2,6 +2,7 @@
 
 #include "apps/results/run_request.h"
 #include "apps/runs/structure/structure.h"
+#include "apps/specimens/link_classes.h"
 #include "postprocess/files/csv_table.h"
 
 #include <nlohmann/json_fwd.hpp>
@@ -25,6 +26,8 @@ namespace apps
 
   private:
     nlohmann::json figures() const;
+    LinkClasses    classes() const;
+    base::Column   class_figures() const; ///< of these, now
     nlohmann::json energy() const;
     nlohmann::json cost() const;
     /** Points of the path that were controlled so. */

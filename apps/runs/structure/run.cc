@@ -169,6 +169,7 @@ namespace apps
     if (particles && !snapshot_due())
       snapshot();
     warn_of_missing("crack.png", draw_crack(folder / "crack.png"));
+    warn_of_missing("grading.png", model.mixed().draw_grading(folder));
     const auto [horizontal, vertical] = structure().curve();
     write_curve(folder, series, horizontal, vertical, std::filesystem::path(request.scene_file).stem().string(), true);
   }

@@ -19,11 +19,13 @@ namespace apps
     , solid(make_solid(parts.packing, media))
     , alone(solid ? std::nullopt : std::optional(what.particles(parts.packing, groups)))
     , materials(materials_in(network().network, parts.packing.material_names))
-    , path(network(), what.material.materials(), what.path.parameters())
+    , path(network(), what.materials(parts.packing), what.path.parameters())
   {
-    if (const std::string load = curve().second; model.bending_test.evaluate() && load.rfind("reaction_", 0) != 0)
-      throw base::InputError("Bending test: its load is Output/Curve vertical, here " + load +
-                             ": expected a reaction, reaction_load_z say.");
+    for (const auto &[test, evaluated] : {std::pair{"Bending test", model.bending_test.evaluate()},
+                                          std::pair{"Wedge splitting", model.wedge_splitting.evaluate()}})
+      if (const std::string load = curve().second; evaluated && load.rfind("reaction_", 0) != 0)
+        throw base::InputError(std::string(test) + ": its load is Output/Curve vertical, here " + load +
+                               ": expected a reaction, reaction_load_z say.");
   }
 
   std::unique_ptr<StructureSolid> Structure::make_solid(const dem::Packing &packing, const ParticleMedia &media) const

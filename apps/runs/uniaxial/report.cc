@@ -81,8 +81,7 @@ namespace apps
     test.materials.put_into(summary);
     for (const UniaxialResult &result : results)
       summary["tests"].push_back(test_details(result, LinkClasses(model.link_classes(test.materials.names))));
-    if (model.mix.given())
-      summary["mix"] = model.mixed().figures().json();
+    model.mixed().put_into(summary);
     return summary;
   }
 
@@ -98,17 +97,14 @@ namespace apps
     for (const UniaxialResult &result : results)
       panels.push_back(panel_of(result.load, result.strain, result.stress));
     std::string missing = postprocess::plot(file, panels);
-    if (model.mix.given())
-      if (const std::string grading = model.mixed().figures().draw(file.parent_path() / "grading.png"); missing.empty())
-        missing = grading;
+    if (const std::string grading = model.mixed().draw_grading(file.parent_path()); missing.empty())
+      missing = grading;
     return missing;
   }
 
   std::string UniaxialReport::text() const
   {
-    std::string text;
-    if (model.mix.given())
-      text += fmt::format("mix          {}\n", model.mixed().figures().text());
+    std::string text = model.mixed().text();
     for (const UniaxialResult &result : results)
       text += text_of(result.notes) + LinkClasses(model.link_classes(test.materials.names)).text(result.link_classes) +
               EmissionFigures(result.emission).text();

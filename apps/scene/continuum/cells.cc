@@ -1,6 +1,7 @@
 #include "apps/scene/continuum/cells.h"
 
 #include "apps/scene/entries/material.h"
+#include "apps/scene/entries/mix.h"
 #include "apps/scene/entries/specimen.h"
 #include "apps/scene/section.h"
 
@@ -46,11 +47,12 @@ namespace apps
                {"refuse", coupling::Localised::refuse},
                {"go on", coupling::Localised::go_on}},
               Need::optional)
-      .means("What becomes of a cell whose tangent has lost ellipticity; in motion, one whose damage has gathered in a "
-             "band since its stress began to fall. stop: the run ends with that state; crack "
-             "band: it goes on as a layer of its element, the rest of which unloads; refuse: the solver looks for "
-             "another state with shorter steps; go on: what follows depends on the size of the elements. In motion stop "
-             "or go on");
+      .means(
+        "What becomes of a cell whose tangent has lost ellipticity; in motion, one whose damage has gathered in a "
+        "band since its stress began to fall. stop: the run ends with that state; crack "
+        "band: it goes on as a layer of its element, the rest of which unloads; refuse: the solver looks for "
+        "another state with shorter steps; go on: what follows depends on the size of the elements. In motion stop "
+        "or go on");
     block.flag("Rotations", cells.rotations).means("Particles spin; off: they only translate");
     SpecimenSection::Use use;
     use.inertia = use.box = false;
@@ -63,6 +65,7 @@ namespace apps
     block.find_section("Specimen")
       ->find_entry("Thickness")
       ->only_if([&cells] { return cells.dimension == 2; }, "Particles = discs");
+    declare(*block.find_section("Specimen"), cells.mix);
     declare(block, cells.material, false);
   }
 } // namespace apps

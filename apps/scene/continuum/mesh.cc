@@ -1,5 +1,6 @@
 #include "apps/scene/continuum/mesh.h"
 
+#include "apps/scene/entries/mix.h"
 #include "apps/scene/entries/specimen.h"
 #include "apps/scene/length_unit_entry.h"
 #include "apps/scene/section.h"
@@ -172,5 +173,9 @@ namespace apps
     bar.number("Radius", mesh.cylinder.radius, "m", Range::positive(), Need::required).means("Of the section");
     bar.integer("Divisions", mesh.axial_divisions, "", Range::between(1, 1e6), Need::optional)
       .means("Elements along the axis; across there are five blocks");
+
+    declare_geometry(s, mesh.mix.mix, "elements whose middle lies in an aggregate")
+      .text("Group", mesh.mix.group, Need::optional)
+      .means("Of the mesh, that is concrete, and becomes the two; empty: all of it");
   }
 } // namespace apps

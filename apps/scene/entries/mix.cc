@@ -57,12 +57,12 @@ namespace apps
         .means("sieve: part, sieve: part, ... in any order: what passes each sieve, or lies on it having passed the "
                "next coarser one; parts of "
                "1, or percent")
-        .only_if(listed, "Specimen/Mix/Grading = passing or retained");
+        .only_if(listed, "Mix/Grading = passing or retained");
       section.file("Curve file", mix.curve_file)
         .means("Table with the columns size and passing, or size and retained, as Specimen/Genesis/Size file; the "
                "finest sieve may let "
                "something pass")
-        .only_if(is(Grading::file), "Specimen/Mix/Grading = file");
+        .only_if(is(Grading::file), "Mix/Grading = file");
       section.number("Fuller exponent", mix.fuller_exponent, "-", Range::between(0.1, 2), Need::optional)
         .means("Of Fuller's curve");
       section.number("Smallest aggregate", mix.smallest, "m", Range::at_least(0), Need::optional)
@@ -76,7 +76,7 @@ namespace apps
         .means("First increment of sizes; 0: tuned until volume and curve are right");
     }
 
-    void declare_places(Section &section, MixSection &mix)
+    void declare_places(Section &section, MixSection &mix, const std::string &places)
     {
       using Kind = dem::AggregateShape::Kind;
       section
@@ -97,35 +97,44 @@ namespace apps
         .means("Between an aggregate and a face of the box, at least; a periodic cell has none");
       section.integer("Seed", mix.seed, "", Range::between(0, 9007199254740992.0), Need::optional)
         .means("Another seed gives other places, and other drawn sizes")
-        .only_if([&mix] { return mix.given(); }, "Specimen/Mix/Smallest aggregate > 0");
+        .only_if([&mix] { return mix.given(); }, "Mix/Smallest aggregate > 0");
       section.integer("Tries", mix.tries, "", Range::between(1, 1e9), Need::optional)
         .means("Places drawn for one aggregate before all begin anew");
       section.integer("Restarts", mix.restarts, "", Range::between(0, 1e6), Need::optional)
         .means("After these aggregates are placed smaller, and grow among each other");
       section.text("Mortar", mix.mortar, Need::optional).means("What it is called; with Materials the name of one");
-      section.text("Aggregate", mix.aggregate, Need::optional)
-        .means("Likewise, of particles that lie in an aggregate by half their radius");
-    }
-
-    void
-    declare_factors(Section &mix, const std::string &name, const std::string &meaning, dem::ConstantFactors &factors)
-    {
-      Section &section = mix.section(name, meaning);
-      section.number("Stiffness factor", factors.stiffness, "-", Range::positive(), Need::optional)
-        .means("Of the mortar's moduli");
-      section.number("Strength factor", factors.strength, "-", Range::positive(), Need::optional)
-        .means("Of its strengths and cohesions; of its limit elastic strain this over the stiffness factor");
-      section.number("Ductility factor", factors.ductility, "-", Range::positive(), Need::optional)
-        .means("Of its relative ductility");
+      section.text("Aggregate", mix.aggregate, Need::optional).means("Likewise, of " + places);
     }
   } // namespace
 
+  void declare_factors(Section              &mix,
+                       const std::string    &name,
+                       const std::string    &meaning,
+                       dem::ConstantFactors &factors,
+                       const bool            ductility)
+  {
+    Section &section = mix.section(name, meaning);
+    section.number("Stiffness factor", factors.stiffness, "-", Range::positive(), Need::optional)
+      .means("Of the mortar's moduli");
+    section.number("Strength factor", factors.strength, "-", Range::positive(), Need::optional)
+      .means("Of its strengths and cohesions; of its limit elastic strain this over the stiffness factor");
+    if (ductility)
+      section.number("Ductility factor", factors.ductility, "-", Range::positive(), Need::optional)
+        .means("Of its relative ductility");
+  }
+
+  Section &declare_geometry(Section &section, MixSection &mix, const std::string &places)
+  {
+    Section &made = section.section("Mix", "Concrete: aggregates in mortar, from what is mixed");
+    declare_amounts(made, mix);
+    declare_grading(made, mix);
+    declare_places(made, mix, places);
+    return made;
+  }
+
   void declare(Section &specimen, MixSection &mix)
   {
-    Section &section = specimen.section("Mix", "Concrete: aggregates in mortar, from what is mixed");
-    declare_amounts(section, mix);
-    declare_grading(section, mix);
-    declare_places(section, mix);
+    Section &section = declare_geometry(specimen, mix, "particles that lie in an aggregate by half their radius");
     declare_factors(section, "Aggregates",
                     "Constants of links within an aggregate, where section Material is that of the mortar",
                     mix.aggregates);

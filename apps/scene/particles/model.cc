@@ -4,6 +4,7 @@
 #include "apps/scene/entries/gravity.h"
 #include "apps/scene/entries/joints.h"
 #include "apps/scene/entries/material.h"
+#include "apps/scene/entries/mix.h"
 #include "apps/scene/entries/output.h"
 #include "apps/scene/entries/physics.h"
 #include "apps/scene/entries/precice.h"
@@ -62,6 +63,7 @@ namespace apps
     SpecimenSection::Use use;
     use.other_particles = true;
     declare(root, model.source, model.physics.dimension, use);
+    declare(*root.find_section("Specimen"), model.mix);
     declare(root, model.more);
     declare(root, model.material);
     declare_physics(root, model.physics);

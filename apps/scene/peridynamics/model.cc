@@ -2,6 +2,7 @@
 
 #include "apps/scene/entries/components.h"
 #include "apps/scene/entries/material_region.h"
+#include "apps/scene/entries/mix.h"
 #include "apps/scene/entries/output.h"
 #include "apps/scene/entries/region.h"
 #include "apps/scene/number_list.h"
@@ -26,6 +27,14 @@ namespace apps
         .choice("Plane", model.plane, {{"stress", pd::Space::plane_stress}, {"strain", pd::Space::plane_strain}},
                 Need::optional)
         .means("Of a plate: free to change its thickness, or not");
+      Section &mix = declare_geometry(body, model.materials.mix, "nodes that lie in an aggregate");
+      declare_factors(
+        mix, "Aggregates",
+        "Of bonds within an aggregate, where section Material is that of the mortar: the critical stretch "
+        "is that of the mortar times strength over stiffness factor",
+        model.materials.mix.aggregates, false);
+      declare_factors(mix, "Interface", "Likewise of bonds with one end in an aggregate, or both in different ones",
+                      model.materials.mix.interface, false);
       Section &grid = root.section("Grid", "Nodes");
       grid.number("Spacing", model.spacing, "m", Range::positive(), Need::required)
         .means("Between nodes; divides every length of the body");

@@ -3,6 +3,7 @@
 #include "apps/scene/entries/gravity.h"
 #include "apps/scene/entries/grips.h"
 #include "apps/scene/entries/material.h"
+#include "apps/scene/entries/mix.h"
 #include "apps/scene/entries/physics.h"
 #include "apps/scene/entries/specimen.h"
 #include "apps/scene/entries/time.h"
@@ -121,6 +122,7 @@ namespace apps
       .only_if([&particle_event] { return particle_event.source == Source::file; }, "Particles/Source = file")
       .type = "list of files";
     declare(s, particle_event.specimen, particle_event.physics.dimension);
+    declare(*s.find_section("Specimen"), particle_event.mix);
     declare(s, particle_event.material);
     declare_physics(s, particle_event.physics);
     declare(s, particle_event.time);

@@ -3,6 +3,7 @@
 #include "apps/scene/continuum/model.h"
 #include "apps/scene/coupled/handshakes.h"
 #include "apps/scene/entries/material.h"
+#include "apps/scene/entries/mix.h"
 #include "apps/scene/entries/physics.h"
 #include "apps/scene/entries/region.h"
 #include "apps/scene/entries/specimen.h"
@@ -73,11 +74,36 @@ namespace apps
              "(d - a)");
   }
 
+  void declare(Section &root, WedgeSplittingSection &test)
+  {
+    Section &s = root.section(
+      "Wedge splitting",
+      "Dimensions of a notched specimen whose groove a wedge drives apart, by which the splitting force and its "
+      "work become figures of the material; the splitting force, of one side, is Output/Curve vertical");
+    const auto asked = [&test] { return test.evaluate(); };
+    s.number("Ligament depth", test.ligament_depth, "m", Range::at_least(0), Need::optional)
+      .means("From the tip of the notch to the face beyond; 0: nothing of this is evaluated");
+    s.number("Width", test.width, "m", Range::positive(), Need::required)
+      .only_if(asked, "Ligament depth > 0")
+      .means("Of the specimen, across the plane of splitting");
+    s.number("Arm", test.arm, "m", Range::at_least(0), Need::optional)
+      .only_if(asked, "Ligament depth > 0")
+      .means(
+        "From the line of the splitting force to the tip of the notch, c in the nominal strength F/(b h) (4 + 6 c/h)");
+    s.number("Wedge angle", test.angle, "degrees", Range::between(1, 120), Need::optional)
+      .only_if(asked, "Ligament depth > 0")
+      .means("Between the faces of the wedge: the machine's force is 2 F (tan(a/2) + mu)/(1 - mu tan(a/2))");
+    s.number("Friction coefficient", test.friction, "-", Range::at_least(0), Need::optional)
+      .only_if(asked, "Ligament depth > 0")
+      .means("mu, of the wedge on its rollers");
+  }
+
   void declare(Section &root, StructureModel &model)
   {
     SpecimenSection::Use use;
     use.inertia = false;
     declare(root, model.source, model.dimension, use);
+    declare(*root.find_section("Specimen"), model.mix);
     declare(root, model.material, use.inertia);
     declare_static_physics(root, model.dimension, model.rotations);
     root
@@ -98,6 +124,7 @@ namespace apps
     declare(root, model.handshakes, model.continuum, false);
     declare(root, model.path);
     declare(root, model.bending_test);
+    declare(root, model.wedge_splitting);
     declare(root, model.probes);
     declare_output(root, model);
   }
