@@ -1,5 +1,8 @@
 #include "apps/models/precice.h"
 
+#include "apps/process/mpi_session.h"
+#include "base/errors.h"
+
 #include <fmt/format.h>
 
 namespace apps
@@ -24,6 +27,10 @@ namespace apps
   std::unique_ptr<coupling::PreciceExchange> PreciceSection::couple(coupling::Participant   &body,
                                                                     std::vector<std::size_t> carriers) const
   {
+    if (launched_ranks() > 1)
+      throw base::InputError(fmt::format("preCICE: a participant is one process, and mpirun has started {}. Start one, "
+                                         "and use --threads.",
+                                         launched_ranks()));
     return std::make_unique<coupling::PreciceExchange>(
       body, coupling::PreciceMesh{mesh, std::move(carriers), reads, writes},
       [by = join, name = participant, file = configuration] { return by(name, file); });
