@@ -28,10 +28,15 @@ namespace apps
       return at != name.end();
     }
 
-    /** Whether one may be meant by the other: a third of the letters may be wrong. */
+    /** Whether one may be meant by the other: a third of the letters may be wrong; half of them, of a short name, where the first is right. */
     bool is_like(const std::string &typed, const std::string &name)
     {
-      return contains(name, typed) || edit_distance(typed, name) <= (std::max(typed.size(), name.size()) + 1) / 3;
+      if (contains(name, typed))
+        return true;
+      const std::size_t letters = std::max(typed.size(), name.size()), wrong = edit_distance(typed, name);
+      if (typed.empty() || name.empty() || wrong > (letters + 2) / 3)
+        return false;
+      return 2 * wrong < letters || same(typed.front(), name.front());
     }
   } // namespace
 

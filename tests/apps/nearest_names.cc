@@ -29,5 +29,6 @@ TEST_CASE("A name that contains what was typed is nearer than one of fewer lette
   CHECK(apps::did_you_mean_or_known("Poisson ratio", {"Shear ratio", "Cohesion"}) == "Known: Shear ratio, Cohesion.");
   CHECK(apps::nearest_name("st", {"material", "step", "test"}).empty()); // too short to be a word
   CHECK(apps::nearest_name("wing", {"Kind", "Density"}).empty());        // half of its letters would be wrong
+  CHECK(apps::nearest_name("lode", {"all", "load"}) == "load");          // likewise, but it begins as that does
   CHECK(apps::nearest_name("Kidn", {"Kind", "Density"}) == "Kind");
 }
