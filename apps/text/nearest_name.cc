@@ -36,7 +36,7 @@ namespace apps
       const std::size_t letters = std::max(typed.size(), name.size()), wrong = edit_distance(typed, name);
       if (typed.empty() || name.empty() || wrong > (letters + 2) / 3)
         return false;
-      return 2 * wrong < letters || same(typed.front(), name.front());
+      return 2 * wrong < letters || (typed.size() >= a_word && same(typed.front(), name.front()));
     }
   } // namespace
 
