@@ -5,6 +5,8 @@
 #include "apps/models/material.h"
 #include "apps/process/exit_status.h"
 #include "apps/process/interrupt.h"
+#include "apps/process/mpi_ranks.h"
+#include "apps/process/mpi_session.h"
 #include "apps/process/version.h"
 #include "apps/results/result_folder.h"
 #include "apps/runs/homogenisation/report.h"
@@ -18,6 +20,7 @@
 #include "apps/text/value_text.h"
 #include "base/errors.h"
 #include "dem/packing/compaction.h"
+#include "dem/ranks/ranks.h"
 #include "postprocess/files/summary.h"
 #include "postprocess/packings/packing_io.h"
 
@@ -130,7 +133,12 @@ namespace apps
       use_threads(options.threads);
       options.question.links.dimension = options.question.links.thickness > 0 ? 2 : 3;
       catch_interrupts();
+      start_mpi_for_ranks();
+      const std::shared_ptr<dem::Ranks> team          = launched_team();
+      options.question.solver.ranks                   = team.get();
       const std::vector<HomogenisationAnswer> answers = answers_of(options);
+      if (!is_first_rank())
+        return exit_success;
       fmt::print("{}{}", table_of(answers.front(), options.question), scatter_table(answers));
       if (options.folder.empty())
         return exit_success;
@@ -164,6 +172,8 @@ namespace apps
     auto      &solver  = options->question.solver;
     CLI::App  &command = *program.add_subcommand(
        "homogenise", "Macroscopic stiffness of a periodic packing: from link statistics, affine bound, and relaxed");
+    command.footer(
+      "Under mpirun the processes share the iterations; a factor (--solver direct) is made by each alone.");
     command.add_option("packing", options->packing, "Periodic packing, text or HDF5")->required()->type_name("PACKING");
     add_length_unit(command, options->length_unit);
     command

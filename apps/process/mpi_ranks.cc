@@ -100,9 +100,11 @@ namespace apps
     };
   } // namespace
 
+  std::shared_ptr<dem::Ranks> launched_team() { return rank_count() > 1 ? std::make_shared<MpiRanks>() : nullptr; }
+
   void share_among_ranks(dem::Specimen &specimen)
   {
-    if (rank_count() > 1)
-      specimen.share_among(std::make_shared<MpiRanks>());
+    if (const std::shared_ptr<dem::Ranks> team = launched_team())
+      specimen.share_among(team);
   }
 } // namespace apps

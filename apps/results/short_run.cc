@@ -1,6 +1,7 @@
 #include "apps/results/short_run.h"
 
 #include "apps/process/interrupt.h"
+#include "apps/process/mpi_session.h"
 #include "apps/results/result_folder.h"
 #include "apps/results/run_observer.h"
 #include "base/errors.h"
@@ -20,7 +21,7 @@ namespace apps
   bool ShortRun::interrupted() const
   {
     const StopsToo stops(request.stop);
-    return apps::interrupted();
+    return interrupted_on_any_rank();
   }
 
   void ShortRun::says(const std::string &lines) { tell(request, &RunObserver::says, lines); }
@@ -41,13 +42,13 @@ namespace apps
   {
     result.summary = std::move(summary);
     if (!request.output_folder.empty())
-      {
+      on_first_rank([&] {
         ResultFolder folder(request.output_folder, ResultFolder::Start::afresh);
         postprocess::write_text(folder.running() / "scene.prm", request.scene_text);
         postprocess::write_json(folder.running() / "summary.json", result.summary);
         write(folder.running());
         folder.publish();
-      }
+      });
     return ended();
   }
 } // namespace apps

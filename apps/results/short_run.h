@@ -8,7 +8,7 @@
 
 namespace apps
 {
-  /** A run without checkpoint: parts of seconds each, of which nothing is kept before all are done. */
+  /** A run without checkpoint: parts of seconds each, of which nothing is kept before all are done. Of several ranks the first writes. */
   class ShortRun
   {
   public:

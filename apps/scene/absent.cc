@@ -18,9 +18,9 @@ namespace apps
     {
       static const std::vector<Absent> all = {
         {{"MPI", "mpirun"},
-         "Scenes of kind cell, continuum, coupled, particles and uniaxial share their work among the processes of "
-         "mpirun "
-         "(doc/tutorials/many_ranks.md); others run on the threads of one machine (--threads)."},
+         "Scenes of kind cell, continuum, coupled, homogenisation, particles and uniaxial, and \"breccia homogenise\", "
+         "share their work among the processes of mpirun (doc/tutorials/many_ranks.md); others run on the threads of "
+         "one machine (--threads)."},
         {{"Python", "pybind", "bindings"},
          "Scenes are text files, changed by -s. From Python they are run by the module that \"./breccia python\" "
          "builds "

@@ -53,10 +53,11 @@ namespace dem
     return without_held(inverse, held);
   }
 
-  BlockJacobi::BlockJacobi(const StiffnessOperator &stiffness)
-    : inverse(stiffness.diagonal_blocks())
+  BlockJacobi::BlockJacobi(const StiffnessOperator &stiffness, const ParticleRange &of)
+    : range(of)
+    , inverse(stiffness.diagonal_blocks())
   {
-    for (std::size_t i = 0; i < inverse.size(); ++i)
+    for (std::int64_t i = range.first; i < range.end; ++i)
       {
         HeldMotions held = 0;
         for (int c = 0; c < motions; ++c)
@@ -68,9 +69,8 @@ namespace dem
 
   void BlockJacobi::apply(const Fields &r, Fields &z) const
   {
-    const std::int64_t n = static_cast<std::int64_t>(inverse.size());
 #pragma omp parallel for schedule(static)
-    for (std::int64_t i = 0; i < n; ++i)
+    for (std::int64_t i = range.first; i < range.end; ++i)
       {
         Pack in[motions];
         for (int c = 0; c < motions; ++c)

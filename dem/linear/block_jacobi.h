@@ -13,10 +13,12 @@ namespace dem
   class BlockJacobi : public Preconditioner
   {
   public:
-    explicit BlockJacobi(const StiffnessOperator &stiffness);
+    /** @param of particles that it is for; the others of z stay as they are */
+    BlockJacobi(const StiffnessOperator &stiffness, const ParticleRange &of);
     void apply(const Fields &r, Fields &z) const override;
 
   private:
+    ParticleRange      range;
     std::vector<Block> inverse;
   };
 

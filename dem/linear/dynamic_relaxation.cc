@@ -50,7 +50,7 @@ namespace dem
         stiffness.apply(x, force);
         for (std::size_t i = 0; i < x.size(); ++i)
           force[i] = b[i] - force[i];
-        stiffness.mask(force);
+        stiffness.mask(force, stiffness.all());
         for (std::size_t i = 0; i < x.size(); ++i)
           squares[i % load_lanes] += force[i] * force[i];
         for (int lane = 0; lane < load_lanes; ++lane)

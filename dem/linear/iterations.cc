@@ -14,8 +14,8 @@ namespace dem
   {
     using Lanes = Pack;
 
-    /** Values per chunk; sums run over chunks in order, so that threads change no bit. */
-    constexpr std::int64_t chunk = 128 * motions * load_lanes;
+    /** Values per sum; sums are added in order, so that neither threads nor ranks change a bit. */
+    constexpr std::int64_t chunk = particles_per_sum * motions * load_lanes;
 
     Lanes pack_of(const std::array<double, load_lanes> &values) { return Lanes::load_unaligned(values.data()); }
 
@@ -26,36 +26,50 @@ namespace dem
       return select(safe, a / select(safe, b, Lanes(1.0)), Lanes(0.0));
     }
 
-    /** Visit all values eight lanes at a time and add up what the body returns. */
+    constexpr std::int64_t field_size = motions * load_lanes; ///< values of a particle
+
+    /** Visit the values of the particles in the share, eight lanes at a time. */
     template <typename Body>
-    Lanes sum_over(const std::size_t size, const Body &body)
+    void visit(const RowShare &share, const Body &body)
     {
-      const std::int64_t n      = static_cast<std::int64_t>(size);
-      const std::int64_t chunks = (n + chunk - 1) / chunk;
-      base::Column       partial(chunks * load_lanes);
+      const std::int64_t first = share.own().first * field_size, end = share.own().end * field_size;
 #pragma omp parallel for schedule(static)
-      for (std::int64_t k = 0; k < chunks; ++k)
+      for (std::int64_t i = first; i < end; i += load_lanes)
+        body(i);
+    }
+
+    /** The same, and add up what the body returns. @param values of all ranks */
+    template <typename Body>
+    Lanes sum_over(const RowShare &share, const std::size_t values, const Body &body)
+    {
+      const std::int64_t sums  = (static_cast<std::int64_t>(values) + chunk - 1) / chunk;
+      const std::int64_t first = share.own().first / particles_per_sum, end = share.own().end * field_size;
+      const std::int64_t behind = (end + chunk - 1) / chunk;
+      base::Column       partial(sums * load_lanes);
+#pragma omp parallel for schedule(static)
+      for (std::int64_t k = first; k < behind; ++k)
         {
           Lanes sum = 0.0;
-          for (std::int64_t i = k * chunk; i < std::min(n, (k + 1) * chunk); i += load_lanes)
+          for (std::int64_t i = k * chunk; i < std::min(end, (k + 1) * chunk); i += load_lanes)
             sum += body(i);
           store(sum, &partial[k * load_lanes]);
         }
+      share.gather_sums(partial);
       Lanes sum = 0.0;
-      for (std::int64_t k = 0; k < chunks; ++k)
+      for (std::int64_t k = 0; k < sums; ++k)
         sum += load(&partial[k * load_lanes]);
       return sum;
     }
 
-    Lanes dot(const Fields &a, const Fields &b)
+    Lanes dot(const RowShare &share, const Fields &a, const Fields &b)
     {
-      return sum_over(a.size(), [&](const std::int64_t i) { return load(&a[i]) * load(&b[i]); });
+      return sum_over(share, a.size(), [&](const std::int64_t i) { return load(&a[i]) * load(&b[i]); });
     }
 
     /** x += alpha p, r -= alpha q; returns r.r. */
-    Lanes advance(const Lanes &alpha, const Fields &p, const Fields &q, Fields &x, Fields &r)
+    Lanes advance(const RowShare &share, const Lanes &alpha, const Fields &p, const Fields &q, Fields &x, Fields &r)
     {
-      return sum_over(x.size(), [&](const std::int64_t i) {
+      return sum_over(share, x.size(), [&](const std::int64_t i) {
         store(multiply_add(alpha, load(&p[i]), load(&x[i])), &x[i]);
         const Lanes next = negative_multiply_add(alpha, load(&q[i]), load(&r[i]));
         store(next, &r[i]);
@@ -64,24 +78,19 @@ namespace dem
     }
 
     /** p = z + beta p */
-    void turn(const Lanes &beta, const Fields &z, Fields &p)
+    void turn(const RowShare &share, const Lanes &beta, const Fields &z, Fields &p)
     {
-      sum_over(p.size(), [&](const std::int64_t i) {
-        store(multiply_add(beta, load(&p[i]), load(&z[i])), &p[i]);
-        return Lanes(0.0);
-      });
+      visit(share, [&](const std::int64_t i) { store(multiply_add(beta, load(&p[i]), load(&z[i])), &p[i]); });
     }
 
     /** r = b - K x, zero in held motions; returns r.r. */
-    Lanes residual(const StiffnessOperator &stiffness, const Fields &b, const Fields &x, Fields &r)
+    Lanes residual(RowShare &share, const StiffnessOperator &stiffness, const Fields &b, Fields &x, Fields &r)
     {
-      stiffness.apply(x, r);
-      sum_over(r.size(), [&](const std::int64_t i) {
-        store(load(&b[i]) - load(&r[i]), &r[i]);
-        return Lanes(0.0);
-      });
-      stiffness.mask(r);
-      return dot(r, r);
+      share.receive(x);
+      stiffness.apply(x, r, share.own());
+      visit(share, [&](const std::int64_t i) { store(load(&b[i]) - load(&r[i]), &r[i]); });
+      stiffness.mask(r, share.own());
+      return dot(share, r, r);
     }
 
     void require_numbers(const Lanes &squares, const int iteration)
@@ -108,7 +117,8 @@ namespace dem
                                       const Fields                         &b,
                                       Fields                               &x,
                                       const std::array<double, load_lanes> &reference,
-                                      const IterationLimits                &limits)
+                                      const IterationLimits                &limits,
+                                      RowShare                             &share)
   {
     const Lanes     scale  = pack_of(reference);
     const Lanes     target = Lanes(limits.tolerance * limits.tolerance) * scale * scale;
@@ -117,7 +127,7 @@ namespace dem
 
     // A restart from the true residual costs one product and takes back what rounding has let the recurrence lose.
     constexpr int most_restarts = 5;
-    Lanes         squares       = residual(stiffness, b, x, r);
+    Lanes         squares       = residual(share, stiffness, b, x, r);
     for (int restart = 0; restart <= most_restarts && report.iterations < limits.max_iterations; ++restart)
       {
         require_numbers(squares, report.iterations);
@@ -127,20 +137,22 @@ namespace dem
         while (any(current > target) && report.iterations < limits.max_iterations)
           {
             preconditioner.apply(r, z);
-            const Lanes next = dot(r, z);
-            turn(quotient(next, rz), z, p);
+            const Lanes next = dot(share, r, z);
+            turn(share, quotient(next, rz), z, p);
             rz = next;
-            stiffness.apply(p, q);
+            share.receive(p);
+            stiffness.apply(p, q, share.own());
             if (stiffness.anything_held())
-              stiffness.mask(q);
-            const Lanes alpha = select(current > target, quotient(rz, dot(p, q)), Lanes(0.0));
-            current           = advance(alpha, p, q, x, r);
+              stiffness.mask(q, share.own());
+            const Lanes alpha = select(current > target, quotient(rz, dot(share, p, q)), Lanes(0.0));
+            current           = advance(share, alpha, p, q, x, r);
             ++report.iterations;
             require_numbers(current, report.iterations);
           }
-        squares = residual(stiffness, b, x, r);
+        squares = residual(share, stiffness, b, x, r);
       }
 
+    share.gather(x);
     conclude(squares, target, scale, report);
     return report;
   }
@@ -156,17 +168,15 @@ namespace dem
     const Lanes     target = Lanes(limits.tolerance * limits.tolerance) * scale * scale;
     Fields          r(x.size()), z(x.size());
     IterationReport report;
-    Lanes           squares = residual(stiffness, b, x, r);
+    RowShare        alone(stiffness, nullptr);
+    Lanes           squares = residual(alone, stiffness, b, x, r);
     require_numbers(squares, 0);
     while (any(squares > target) && report.iterations < limits.max_iterations)
       {
         factor.apply(r, z);
         const Lanes step = select(squares > target, Lanes(1.0), Lanes(0.0));
-        sum_over(x.size(), [&](const std::int64_t i) {
-          store(load(&x[i]) + step * load(&z[i]), &x[i]);
-          return Lanes(0.0);
-        });
-        squares = residual(stiffness, b, x, r);
+        visit(alone, [&](const std::int64_t i) { store(load(&x[i]) + step * load(&z[i]), &x[i]); });
+        squares = residual(alone, stiffness, b, x, r);
         ++report.iterations;
         require_numbers(squares, report.iterations);
       }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "dem/linear/preconditioner.h"
+#include "dem/linear/row_share.h"
 
 #include <array>
 #include <functional>
@@ -28,8 +29,11 @@ namespace dem
    * Conjugate gradients on all lanes at once (each lane its own, one pass over the links for all): K x = b, K symmetric
    * positive semi-definite and b in its range.
    *
-   * What K does not see (mechanisms, rigid motion) stays in x as it was at the start.
+   * What K does not see (mechanisms, rigid motion) stays in x as it was at the start. Ranks share the work of each iteration; what comes out has the
+   * same bits for any number of them.
    *
+   * @param preconditioner of the share's own particles, at least
+   * @param b          of the share's own particles, at least
    * @param x          in: start, zero in held motions; out: solution
    * @param reference  per lane [N], what the norm of the residual is compared with
    * @throws base::NumericalError when a residual is no longer a number.
@@ -39,10 +43,11 @@ namespace dem
                                       const Fields                         &b,
                                       Fields                               &x,
                                       const std::array<double, load_lanes> &reference,
-                                      const IterationLimits                &limits);
+                                      const IterationLimits                &limits,
+                                      RowShare                             &share);
 
   /**
-   * The same for a preconditioner as good as exact (a factor): x += M^-1 (b - K x) until converged. Unlike conjugate gradients
+   * The same for a preconditioner as good as exact (a factor), by each rank alone: x += M^-1 (b - K x) until converged. Unlike conjugate gradients
    * it is not disturbed by rounding in motions that K does not see and M^-1 enlarges.
    */
   IterationReport refine(const StiffnessOperator              &stiffness,

@@ -62,7 +62,7 @@ namespace dem
         while (report.iterations < end)
           {
             const IterationReport r =
-              method(stiffness, preconditioner, b, x, reference, {p.tolerance, end - report.iterations});
+              method(stiffness, preconditioner, b, x, reference, IterationLimits{p.tolerance, end - report.iterations});
             report.iterations += r.iterations;
             report.residual  = *std::max_element(r.residual.begin(), r.residual.begin() + first_probe);
             largest_residual = r.largest_residual();
@@ -107,7 +107,7 @@ namespace dem
       bool tighten_reference()
       {
         const PerLoad now      = stiffness.link_force_norm(x, strain);
-        bool        tightens = false;
+        bool          tightens = false;
         for (int lane = 0; lane < first_probe; ++lane)
           {
             const double next = std::max(now[lane], 1e-2 * start_reference[lane]);
@@ -143,7 +143,9 @@ namespace dem
 
     void solve_automatically(LinearSolution &solution)
     {
-      const BlockJacobi             preconditioner(solution.stiffness);
+      RowShare          share(solution.stiffness, solution.p.ranks);
+      const BlockJacobi preconditioner(solution.stiffness, share.own());
+      const auto        iteration = [&share](auto &&...system) { return conjugate_gradients(system..., share); };
       std::unique_ptr<SparseFactor> factor;
       const bool                    may_switch = solution.p.method == SolverMethod::automatic;
       double                        before     = 1;
@@ -151,7 +153,7 @@ namespace dem
         {
           const int chunk = std::min(look, solution.p.max_iterations - solution.report.iterations);
           solution.report.operations += chunk * operations_per_iteration(solution.stiffness);
-          if (solution.iterate(conjugate_gradients, preconditioner, chunk))
+          if (solution.iterate(iteration, preconditioner, chunk))
             return;
           if (!may_switch)
             continue;

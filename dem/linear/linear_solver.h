@@ -22,6 +22,7 @@ namespace dem
     double       tolerance      = 1e-10; ///< unbalanced force over link forces, both as root of the sum of squares
     int          max_iterations = 20000; ///< of the iterative method
     double       memory_limit = 4.0 * (1ull << 30); ///< of the factor [bytes]; a larger one is not tried automatically
+    Ranks       *ranks = nullptr; ///< that share the iteration, all of them solving the same; none: this process alone
   };
 
   /** How a linear static problem was solved. */

@@ -1,6 +1,7 @@
 #include "dem/linear/sparse_factor.h"
 
 #include "base/errors.h"
+#include "base/solver_turns.h"
 #include "dem/network/particle_groups.h"
 
 #include <Eigen/SparseCore>
@@ -173,6 +174,7 @@ namespace dem
     /** Fill-reducing order of the unknowns: best of CHOLMOD's choices for the particle graph, spread over the motions. */
     std::vector<Index> order(Lower graph)
     {
+      const auto      turn     = base::ordering_turn();
       cholmod_sparse  pattern  = view(graph);
       cholmod_factor *symbolic = cholmod_l_analyze(&pattern, &common);
       if (!symbolic)
@@ -250,6 +252,7 @@ namespace dem
     const Eigen::VectorXd diagonal = s.matrix.diagonal();
     const double          mean     = diagonal.mean();
     cholmod_sparse        view_of  = view(s.matrix);
+    const auto            turn     = base::dense_kernels_turn();
     for (const double part : {1e-10, 1e-8, 1e-6})
       {
         // A motion that nothing holds gets an ordinary stiffness: it is not loaded, and stays where it is.
@@ -282,6 +285,7 @@ namespace dem
     right.x              = b.data();
     right.xtype          = CHOLMOD_REAL;
     right.dtype          = CHOLMOD_DOUBLE;
+    const auto turn      = base::dense_kernels_turn();
     if (!cholmod_l_solve2(CHOLMOD_A, s.factor, &right, nullptr, &s.x, nullptr, &s.y, &s.e, &s.common))
       s.refuse("the solution did not run");
 

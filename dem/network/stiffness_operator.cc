@@ -155,13 +155,12 @@ namespace dem
   }
 
   template <bool strained, bool with_turning>
-  void StiffnessOperator::gather(const Fields &x, const LaneStrains &strain, Fields &y) const
+  void StiffnessOperator::gather(const Fields &x, const LaneStrains &strain, Fields &y, const ParticleRange &of) const
   {
     const StrainPacks   E(strain);
-    const std::int64_t  n      = static_cast<std::int64_t>(particles());
     const double *const values = x.data();
 #pragma omp parallel for schedule(static)
-    for (std::int64_t i = 0; i < n; ++i)
+    for (std::int64_t i = of.first; i < of.end; ++i)
       {
         Vec<Pack, 3> force = {{0.0, 0.0, 0.0}}, moment = force;
         for (std::int64_t e = begin[i]; e < begin[i + 1]; ++e)
@@ -193,25 +192,27 @@ namespace dem
       }
   }
 
-  void StiffnessOperator::apply(const Fields &x, Fields &y) const
+  void StiffnessOperator::apply(const Fields &x, Fields &y) const { apply(x, y, all()); }
+
+  void StiffnessOperator::apply(const Fields &x, Fields &y, const ParticleRange &of) const
   {
     if (turning.empty())
-      gather<false, false>(x, LaneStrains(), y);
+      gather<false, false>(x, LaneStrains(), y, of);
     else
-      gather<false, true>(x, LaneStrains(), y);
+      gather<false, true>(x, LaneStrains(), y, of);
   }
 
   void StiffnessOperator::apply(const Fields &x, const LaneStrains &strain, Fields &y) const
   {
     if (turning.empty())
-      gather<true, false>(x, strain, y);
+      gather<true, false>(x, strain, y, all());
     else
-      gather<true, true>(x, strain, y);
+      gather<true, true>(x, strain, y, all());
   }
 
-  void StiffnessOperator::mask(Fields &x) const
+  void StiffnessOperator::mask(Fields &x, const ParticleRange &of) const
   {
-    for (std::size_t i = 0; i < particles(); ++i)
+    for (std::int64_t i = of.first; i < of.end; ++i)
       for (int c = 0; c < motions; ++c)
         if (is_held(i, c))
           std::fill_n(&x[(motions * i + c) * load_lanes], load_lanes, 0.0);

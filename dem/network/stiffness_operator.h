@@ -38,6 +38,12 @@ namespace dem
     total        ///< unknowns are total displacements: only links that cross the cell feel it, slip += E H k
   };
 
+  /** Particles that follow each other in the operator's order. */
+  struct ParticleRange
+  {
+    std::int64_t first = 0, end = 0;
+  };
+
   /**
    * The stiffness of a network, applied link by link without a matrix, to eight fields at once.
    *
@@ -66,10 +72,13 @@ namespace dem
     void apply(const Fields &x, Fields &y) const;
     /** Internal forces under the fields x and the macroscopic strains. */
     void apply(const Fields &x, const LaneStrains &strain, Fields &y) const;
-    /** Set the held motions to zero. */
-    void mask(Fields &x) const;
-    bool is_held(const std::size_t particle, const int motion) const { return masks[particle] >> motion & 1; }
-    bool anything_held() const { return some_held; }
+    /** y = K x on some particles; the others of y stay as they are. */
+    void apply(const Fields &x, Fields &y, const ParticleRange &of) const;
+    /** Set the held motions of some particles to zero. */
+    void          mask(Fields &x, const ParticleRange &of) const;
+    ParticleRange all() const { return {0, static_cast<std::int64_t>(particles())}; }
+    bool          is_held(const std::size_t particle, const int motion) const { return masks[particle] >> motion & 1; }
+    bool          anything_held() const { return some_held; }
 
     /** Root of the sum of squared link forces of each lane: what an unbalanced force is compared with [N]. */
     std::array<double, load_lanes> link_force_norm(const Fields &x, const LaneStrains &strain) const;
@@ -114,7 +123,7 @@ namespace dem
     };
 
     template <bool strained, bool turning>
-    void                        gather(const Fields &x, const LaneStrains &strain, Fields &y) const;
+    void gather(const Fields &x, const LaneStrains &strain, Fields &y, const ParticleRange &of) const;
     Eigen::Matrix<double, 3, 6> slips(const Record &link, const Fields &x, const LaneStrains &strain) const;
     Eigen::Matrix<double, 3, 6> turns(const Record &link, const Fields &x) const;
 

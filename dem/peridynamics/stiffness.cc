@@ -1,5 +1,6 @@
 #include "dem/peridynamics/stiffness.h"
 
+#include "base/solver_turns.h"
 #include "dem/peridynamics/bond_operator.h"
 
 #include <Eigen/CholmodSupport>
@@ -43,6 +44,7 @@ namespace dem::peridynamics
       template <typename Right>
       Eigen::VectorXd solve(const Right &b) const
       {
+        const auto turn = base::dense_kernels_turn();
         return factor->solve(Eigen::VectorXd(b));
       }
       Eigen::ComputationInfo info() { return Eigen::Success; }
@@ -158,8 +160,12 @@ namespace dem::peridynamics
           for (Index i = 0; i < unknowns; ++i)
             shifted.coeffRef(i, i) *= 1 + shift;
           if (!analysed)
-            factor.analyzePattern(shifted);
-          analysed = true;
+            {
+              const auto turn = base::ordering_turn();
+              factor.analyzePattern(shifted);
+            }
+          analysed        = true;
+          const auto turn = base::dense_kernels_turn();
           factor.factorize(shifted);
           if (factor.info() == Eigen::Success)
             return true;
@@ -222,7 +228,10 @@ namespace dem::peridynamics
     each([&](const Index n, const std::size_t c, const std::size_t i) { b[n] = r.c[c][i]; });
     Eigen::VectorXd x;
     if (solver == Solver::direct && !self->stable())
-      x = self->factor.solve(b);
+      {
+        const auto turn = base::dense_kernels_turn();
+        x               = self->factor.solve(b);
+      }
     else if (solver == Solver::direct)
       {
         Eigen::ConjugateGradient<Lower, Eigen::Lower, FactorPreconditioner> iteration(self->matrix);

@@ -1,5 +1,6 @@
 #include "dem/statics/tangent_system.h"
 
+#include "base/solver_turns.h"
 #include "dem/network/slip_matrices.h"
 #include "dem/statics/surrounded_system.h"
 
@@ -11,7 +12,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <mutex>
 #include <numeric>
 #include <set>
 #include <utility>
@@ -160,6 +160,7 @@ namespace dem
       if (count == 0)
         return true;
       assemble(stiffness);
+      const auto turn = base::dense_kernels_turn();
       lu.factorize(around->whole(matrix));
       return lu.info() == Eigen::Success;
     }
@@ -299,9 +300,7 @@ namespace dem
 
   TangentSystem::Implementation &TangentSystem::made()
   {
-    // METIS draws from the process's one source of random numbers, which it sets at each start.
-    static std::mutex                 one_at_a_time;
-    const std::lock_guard<std::mutex> lock(one_at_a_time);
+    const auto turn = base::ordering_turn();
     if (!self)
       self = std::make_unique<Implementation>(loaded);
     return *self;

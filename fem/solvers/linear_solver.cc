@@ -1,6 +1,7 @@
 #include "fem/solvers/linear_solver.h"
 
 #include "base/errors.h"
+#include "base/solver_turns.h"
 #include "fem/solvers/geometric_multigrid.h"
 
 #include <deal.II/base/mpi.h>
@@ -51,6 +52,7 @@ namespace fem
             copy(*gathered);
             try
               {
+                const auto turn = base::dense_kernels_turn();
                 factors.initialize(local);
               }
             catch (const ExceptionBase &)

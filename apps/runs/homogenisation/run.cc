@@ -1,9 +1,12 @@
 #include "apps/runs/homogenisation/run.h"
 
+#include "apps/process/mpi_ranks.h"
+#include "apps/process/mpi_session.h"
 #include "apps/process/version.h"
 #include "apps/results/short_run.h"
 #include "apps/results/warning.h"
 #include "apps/runs/homogenisation/report.h"
+#include "dem/ranks/ranks.h"
 #include "postprocess/files/atomic_file.h"
 #include "postprocess/pictures/plot.h"
 
@@ -136,11 +139,13 @@ namespace apps
 
   RunResult run(const HomogenisationModel &model, const RunRequest &request)
   {
-    ShortRun                        run(request, "a homogenisation");
-    const std::string               origin = model.source == SpecimenSection::Source::file ? model.file : "generator";
-    const std::vector<dem::Packing> bodies = model.packings();
-    std::vector<SweepPoint>         points;
-    nlohmann::json                  json;
+    start_mpi_for_ranks();
+    const std::shared_ptr<dem::Ranks> team = launched_team();
+    ShortRun                          run(request, "a homogenisation");
+    const std::string                 origin = model.source == SpecimenSection::Source::file ? model.file : "generator";
+    const std::vector<dem::Packing>   bodies = model.packings();
+    std::vector<SweepPoint>           points;
+    nlohmann::json                    json;
     json["made_by"] = "breccia " + version();
     json["cases"]   = nlohmann::json::array();
     for (const double iota : model.interaction_ratios)
@@ -148,8 +153,9 @@ namespace apps
         {
           if (run.interrupted())
             return run.interrupted_result();
-          const HomogenisationQuestion asked = model.question(iota, ratio);
-          SweepPoint                   point{iota, ratio, {}};
+          HomogenisationQuestion asked = model.question(iota, ratio);
+          asked.solver.ranks           = team.get();
+          SweepPoint point{iota, ratio, {}};
           for (const dem::Packing &body : bodies)
             point.answers.push_back(homogenise(body, asked, origin));
           run.says(fmt::format("G/E = {:<8} {}{}\n", ratio, table_of(point.answers.front(), asked),

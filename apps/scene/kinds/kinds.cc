@@ -64,7 +64,7 @@ namespace apps
         {"continuum", "a solid of finite elements, static past its peak or explicit", make_scene<ContinuumModel, true>},
         {"coupled", "particles and a solid of finite elements that touch, in motion", make_scene<CoupledModel, true>},
         {"homogenisation", "macroscopic stiffness of periodic packings, swept over link parameters",
-         make_scene<HomogenisationModel>},
+         make_scene<HomogenisationModel, true>},
         {"particles", "specimens and loose particles, bonded or not, moved and thrown by formula",
          make_scene<ParticlesModel, true>},
         {"peridynamic_core", "a solid of finite elements with a core of bonds over a horizon, in motion",
