@@ -14,7 +14,7 @@ namespace dem
   static_assert(particles_per_brick % particles_per_sum == 0, "no such sum is divided between ranks");
 
   /**
-   * The particles of a linear system on which one of several ranks works (doc/theory/ranks.md, 5): whole bricks along the operator's order.
+   * The particles of a linear system on which one of several ranks works (doc/theory/ranks.md, 7): whole bricks along the operator's order.
    * Fields have their full size on each rank and are up to date there for its own particles. Those of others that its links end in, its
    * ghosts, are received before the stiffness is applied. Without ranks all particles are its own and nothing is sent.
    *
