@@ -18,13 +18,6 @@ namespace apps
 {
   namespace
   {
-    struct CalibrateCommand
-    {
-      std::string              file, folder;
-      std::vector<std::string> overrides;
-      StudyOptions             options;
-    };
-
     void make_calibration_folders(const StudyOptions &options)
     {
       std::error_code error;
@@ -53,41 +46,42 @@ namespace apps
       postprocess::write_json(folder / "calibration.json", json_of(file, runs, found));
     }
 
-    int calibrate_file(CalibrateCommand command)
-    {
-      const auto file        = read_calibration(command.file, command.overrides);
-      command.options.folder = command.folder.empty() ? file->output_folder : command.folder;
-      CalibrationRuns                  runs(*file, command.options);
-      std::unique_ptr<CalibrationRuns> cheap;
-      if (file->cheap.exists())
-        cheap = std::make_unique<CalibrationRuns>(*file, command.options, Fidelity::cheap);
-      make_calibration_folders(command.options);
-      const FolderLock lock(command.options.folder / "journal" / "lock");
-      catch_interrupts();
-      try
-        {
-          runs.measure();
-          if (cheap)
-            cheap->measure();
-          Calibration found = calibrate(*file, runs, cheap.get());
-          if (file->posterior.runs > 0)
-            found.posterior = posterior_of(*file, runs, found);
-          write_calibration(*file, runs, found, command.options.folder);
-          fmt::print("{}\nwritten to {}: report.html, calibration.json, curves, and each run below runs\n",
-                     words_of(*file, runs, found), command.options.folder.string());
-          return exit_success;
-        }
-      catch (const CalibrationInterrupted &)
-        {
-          fmt::print(stderr, "interrupted; runs that are done are kept. The same command goes on with the others.\n");
-          return exit_interrupted;
-        }
-    }
   } // namespace
+
+  int run_calibration_file(StudyCommand command)
+  {
+    const auto file        = read_calibration(command.file, command.overrides);
+    command.options.folder = command.folder.empty() ? file->output_folder : command.folder;
+    CalibrationRuns                  runs(*file, command.options);
+    std::unique_ptr<CalibrationRuns> cheap;
+    if (file->cheap.exists())
+      cheap = std::make_unique<CalibrationRuns>(*file, command.options, Fidelity::cheap);
+    make_calibration_folders(command.options);
+    const FolderLock lock(command.options.folder / "journal" / "lock");
+    catch_interrupts();
+    try
+      {
+        runs.measure();
+        if (cheap)
+          cheap->measure();
+        Calibration found = calibrate(*file, runs, cheap.get());
+        if (file->posterior.runs > 0)
+          found.posterior = posterior_of(*file, runs, found);
+        write_calibration(*file, runs, found, command.options.folder);
+        fmt::print("{}\nwritten to {}: report.html, calibration.json, curves, and each run below runs\n",
+                   words_of(*file, runs, found), command.options.folder.string());
+        return exit_success;
+      }
+    catch (const CalibrationInterrupted &)
+      {
+        fmt::print(stderr, "interrupted; runs that are done are kept. The same command goes on with the others.\n");
+        return exit_interrupted;
+      }
+  }
 
   void add_calibrate(CLI::App &program, Action &chosen)
   {
-    const auto command = std::make_shared<CalibrateCommand>();
+    const auto command = std::make_shared<StudyCommand>();
     CLI::App  &sub =
       *program.add_subcommand("calibrate", "Constants that make runs give what was measured, and how sure they are");
     sub.footer("Runs that are done are kept in the folder: whatever ends a calibration, the same command goes on "
@@ -95,6 +89,6 @@ namespace apps
     sub.add_option("calibration", command->file, "Calibration file")->required()->type_name("CALIBRATION.prm");
     add_overrides(sub, command->overrides, "Change an entry of the file, -s \"Search/Step=0.01\"; repeatable");
     add_study_options(sub, "calibration", command->folder, command->options);
-    sub.callback([command, &chosen] { chosen = [command] { return calibrate_file(*command); }; });
+    sub.callback([command, &chosen] { chosen = [command] { return run_calibration_file(*command); }; });
   }
 } // namespace apps

@@ -1,5 +1,6 @@
 #include "apps/commands/command.h"
 #include "apps/commands/scene_options.h"
+#include "apps/commands/study_options.h"
 #include "apps/process/exit_status.h"
 #include "apps/process/interrupt.h"
 #include "apps/process/mpi_session.h"
@@ -11,6 +12,8 @@
 #include "apps/scene/reader.h"
 #include "apps/specimens/cache_folder.h"
 #include "apps/studies/replicates.h"
+#include "apps/studies/study_file.h"
+#include "base/errors.h"
 
 #include <omp.h>
 
@@ -26,8 +29,24 @@ namespace apps
       bool        resume = false, restart = false;
     };
 
+    /** A study is many runs, and goes on by itself. */
+    StudyCommand study_command(const RunOptions &options)
+    {
+      if (options.threads > 0)
+        throw base::InputError("command line: --threads: a study says itself how many each of its runs has "
+                               "(-s \"Threads per run=2\").");
+      StudyCommand command{options.scene, options.output_folder, options.overrides, {}};
+      command.options.restart  = options.restart;
+      command.options.no_cache = !packing_cache_folder();
+      return command;
+    }
+
     int run(const RunOptions &options)
     {
+      if (is_of_kind(options.scene, "study"))
+        return run_study_file(study_command(options));
+      if (is_of_kind(options.scene, "calibration"))
+        return run_calibration_file(study_command(options));
       use_threads(options.threads);
       std::vector<std::string> overrides = options.overrides;
       if (!options.output_folder.empty())

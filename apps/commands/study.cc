@@ -16,13 +16,6 @@ namespace apps
 {
   namespace
   {
-    struct StudyCommand
-    {
-      std::string              file, folder, part;
-      std::vector<std::string> overrides;
-      StudyOptions             options;
-    };
-
     void read_part(const std::string &text, StudyOptions &options)
     {
       if (text.empty())
@@ -34,33 +27,33 @@ namespace apps
     }
 
     /** Under mpirun each process takes a part, and one run at a time: the processors are shared already. */
-    void take_part_of_ranks(StudyCommand &command)
+    void take_part_of_ranks(StudyOptions &options)
     {
       if (launched_ranks() == 1)
         return;
-      if (!command.part.empty())
+      if (options.parts > 1)
         throw base::InputError("command line: under mpirun the processes are the parts: no --part.");
-      command.options.part  = launched_rank() + 1;
-      command.options.parts = launched_ranks();
-      if (command.options.processes == 0)
-        command.options.processes = 1;
-    }
-
-    int study(StudyCommand command)
-    {
-      read_part(command.part, command.options);
-      take_part_of_ranks(command);
-      const auto      file   = read_study(command.file, command.overrides);
-      const StudyPlan plan   = plan_of(*file);
-      command.options.folder = command.folder.empty() ? file->output_folder : command.folder;
-      catch_interrupts();
-      return run_study(*file, plan, command.options);
+      options.part  = launched_rank() + 1;
+      options.parts = launched_ranks();
+      if (options.processes == 0)
+        options.processes = 1;
     }
   } // namespace
+
+  int run_study_file(StudyCommand command)
+  {
+    take_part_of_ranks(command.options);
+    const auto      file   = read_study(command.file, command.overrides);
+    const StudyPlan plan   = plan_of(*file);
+    command.options.folder = command.folder.empty() ? file->output_folder : command.folder;
+    catch_interrupts();
+    return run_study(*file, plan, command.options);
+  }
 
   void add_study(CLI::App &program, Action &chosen)
   {
     const auto command = std::make_shared<StudyCommand>();
+    const auto part    = std::make_shared<std::string>();
     CLI::App  &sub =
       *program.add_subcommand("study", "Run a scene with its constants varied by a design, into one table");
     sub.footer("Runs that are done are kept in the folder: whatever ends a study, the same command goes on with the "
@@ -70,11 +63,16 @@ namespace apps
     add_study_options(sub, "study", command->folder, command->options);
     sub
       .add_option(
-        "--part", command->part,
+        "--part", *part,
         "Only the third of forty parts, for jobs of a batch array that share the folder; the last one writes the "
         "table")
       ->type_name("3/40");
     sub.add_flag("--no-cache", command->options.no_cache, "Make every packing anew");
-    sub.callback([command, &chosen] { chosen = [command] { return study(*command); }; });
+    sub.callback([command, part, &chosen] {
+      chosen = [command, part] {
+        read_part(*part, command->options);
+        return run_study_file(*command);
+      };
+    });
   }
 } // namespace apps

@@ -5,7 +5,6 @@
 #include "apps/results/series_panels.h"
 #include "apps/results/warning.h"
 #include "postprocess/files/atomic_file.h"
-#include "postprocess/files/html_page.h"
 #include "postprocess/files/scratch_folder.h"
 
 #include <fmt/format.h>
@@ -64,13 +63,7 @@ namespace apps
       for (const std::string &change : asked.value("overrides", std::vector<std::string>()))
         changes.push_back("changed: " + change);
       page.list(changes);
-      page.scene(request.scene_text);
-      for (const InputFile &input : request.inputs)
-        {
-          const std::string whole = fs::absolute(input.file).lexically_normal().string();
-          page.attach(input.entry, request.scene_text.find(whole) != std::string::npos ? whole : input.file,
-                      input.file);
-        }
+      add_scene(page, request.scene_text, request.inputs);
       page.paragraph("The same bits again: breccia run report.html -o FOLDER");
     }
 
@@ -130,6 +123,19 @@ namespace apps
         page.picture(picture, picture.stem().string());
     }
   } // namespace
+
+  std::string name_in(const std::string &scene_text, const InputFile &input)
+  {
+    const std::string whole = fs::absolute(input.file).lexically_normal().string();
+    return scene_text.find(whole) != std::string::npos ? whole : input.file;
+  }
+
+  void add_scene(postprocess::HtmlPage &page, const std::string &scene_text, const std::vector<InputFile> &inputs)
+  {
+    page.scene(scene_text);
+    for (const InputFile &input : inputs)
+      page.attach(input.entry, name_in(scene_text, input), input.file);
+  }
 
   std::string page_of(const RunRequest &request, const RunResult &result)
   {

@@ -32,7 +32,9 @@ namespace apps
         }
       const fs::path folder =
         fs::absolute(fs::path(page).parent_path() / (fs::path(page).stem().string() + "_files")).lexically_normal();
-      const fs::path file = folder / (std::to_string(number) + "_" + fs::path(attached.named).filename().string());
+      fs::path file = folder / (std::to_string(number) + "_" + fs::path(attached.named).filename().string());
+      if (postprocess::is_page_text(*attached.content)) // a scene that has files of its own
+        file.replace_extension(".html");
       fs::create_directories(folder);
       if (fs::exists(file))
         require_content(file, attached, page);

@@ -57,9 +57,8 @@ namespace apps
 
     void declare_cheap_model(CalibrationFile &calibration, Section &section)
     {
-      section.text("Base scene", calibration.cheap.base_scene, Need::optional)
-        .means(
-          "In place of the base scene: an answer without inertia, a coarser packing; from the folder of this file");
+      section.file("Base scene", calibration.cheap.base_scene)
+        .means("In place of the base scene: an answer without inertia, a coarser packing");
       section.text("Changes", calibration.cheap.changes, Need::optional)
         .means("To its scenes, \"Specimen/Generator/Particle radius=3e-3; Loading/Compression/Strain rate=10\"");
     }
@@ -94,9 +93,8 @@ namespace apps
     {
       const auto        has_one = [&target] { return !target.reference.empty(); };
       const std::string where   = "there is a reference scene";
-      section.text("Reference scene", target.reference, Need::optional)
-        .means(
-          "Its run, once, is what was measured: particles, for the law of a continuum; from the folder of this file");
+      section.file("Reference scene", target.reference)
+        .means("Its run, once, is what was measured: particles, for the law of a continuum");
       section.text("Reference figure", target.reference_figure, Need::optional)
         .means("Name of the figure in its run, where it has another there")
         .only_if([&target] { return !target.reference.empty() && !target.is_curve(); },
@@ -122,9 +120,8 @@ namespace apps
       targets.named_sections("TARGET", [&calibration](Section &opened) {
         CalibrationTarget &target = calibration.targets.emplace_back();
         target.name               = opened.name();
-        opened.text("Scene", target.scene, Need::optional)
-          .means("The test, where it is not the base scene; from the folder of this file");
-        opened.text("Cheap scene", target.cheap_scene, Need::optional)
+        opened.file("Scene", target.scene).means("The test, where it is not the base scene");
+        opened.file("Cheap scene", target.cheap_scene)
           .means("The same test by the cheap model, where changes do not make it cheap")
           .only_if([&calibration] { return calibration.cheap.exists(); }, "there is a cheap model");
         opened.text("Figure", target.figure, Need::optional)
@@ -170,22 +167,13 @@ namespace apps
       declare_targets(calibration, root.section("Targets", "What was measured"));
     }
 
-    /** A file as it is named in the calibration. */
-    std::string beside(const CalibrationFile &calibration, const std::string &name)
-    {
-      return (std::filesystem::path(calibration.file).parent_path() / name).string();
-    }
-
     void validate_target(CalibrationFile &calibration, CalibrationTarget &target)
     {
       const Section &section = *calibration.root->find_section("Targets")->find_section(target.name);
-      target.scene           = target.scene.empty() ? calibration.base_scene : beside(calibration, target.scene);
-      if (target.cheap_scene.empty())
-        target.cheap_scene = target.scene == calibration.base_scene ? calibration.cheap.base_scene : "";
-      else
-        target.cheap_scene = beside(calibration, target.cheap_scene);
-      if (!target.reference.empty())
-        target.reference = beside(calibration, target.reference);
+      if (target.scene.empty())
+        target.scene = calibration.base_scene;
+      if (target.cheap_scene.empty() && target.scene == calibration.base_scene)
+        target.cheap_scene = calibration.cheap.base_scene;
       if (target.reference_figure.empty())
         target.reference_figure = target.figure;
       if (target.abscissa_factor == 0 || target.ordinate_factor == 0)
@@ -220,8 +208,6 @@ namespace apps
                              [&target](const CalibrationTarget &known) { return known.name == target; }))
               section.refuse("Targets", "there is no target " + target + ".");
         }
-      if (!calibration.cheap.base_scene.empty())
-        calibration.cheap.base_scene = beside(calibration, calibration.cheap.base_scene);
       for (CalibrationTarget &target : calibration.targets)
         validate_target(calibration, target);
       if (calibration.seed_entry.empty() != calibration.seeds_text.empty())

@@ -1,8 +1,8 @@
 #include "apps/results/warning.h"
 #include "apps/studies/calibration.h"
+#include "apps/studies/repeatable_page.h"
 #include "postprocess/files/atomic_file.h"
 #include "postprocess/files/html_page.h"
-#include "postprocess/files/numeric_text.h"
 #include "postprocess/pictures/plot.h"
 
 #include <fmt/format.h>
@@ -125,6 +125,7 @@ namespace apps
     page.paragraph(fmt::format("{} sets of constants, {} of them without an answer; it ended because: {}",
                                found.evaluations + found.cheap_evaluations, found.failed, found.ending));
     page.list(warnings_of(found));
+    add_to_repeat(page, *file.root);
     page.heading("Constants");
     page.table(constants_table(file, found));
     page.heading("Targets");
@@ -140,7 +141,6 @@ namespace apps
     page.heading("Correlation");
     page.paragraph(fmt::format("Of the errors of constants; condition number {:.3g}.", found.condition));
     page.table(correlation_table(file, found));
-    page.folded(file.file, postprocess::numeric_text::read_whole(file.file));
     postprocess::write_text(folder / "report.html", page.text());
   }
 } // namespace apps

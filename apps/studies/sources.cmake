@@ -19,6 +19,7 @@ set(apps_sources
   studies/inversion.cc
   studies/inversion_report.cc
   studies/measured_curve.cc
+  studies/repeatable_page.cc
   studies/replicate_files.cc
   studies/replicate_picture.cc
   studies/replicate_statistics.cc

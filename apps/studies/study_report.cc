@@ -1,9 +1,9 @@
 #include "apps/studies/study_report.h"
 
 #include "apps/results/warning.h"
+#include "apps/studies/repeatable_page.h"
 #include "postprocess/files/atomic_file.h"
 #include "postprocess/files/html_page.h"
-#include "postprocess/files/numeric_text.h"
 #include "postprocess/pictures/plot.h"
 
 #include <fmt/format.h>
@@ -151,6 +151,7 @@ namespace apps
     postprocess::HtmlPage page("Study " + study.file);
     page.paragraph(fmt::format("{} runs of {} over {} factors.", records.size(), study.base_scene, plan.values.cols()));
     page.list(failures(records));
+    add_to_repeat(page, *study.root);
     if (study.design == DesignKind::one_at_a_time)
       {
         page.heading("Elasticities");
@@ -170,7 +171,6 @@ namespace apps
     if (records.size() > most_rows)
       page.paragraph(fmt::format("The first {}; table.csv has all.", most_rows));
     page.table(table_of_runs(study, plan, records));
-    page.folded(study.file, postprocess::numeric_text::read_whole(study.file));
     postprocess::write_text(folder / "report.html", page.text());
   }
 } // namespace apps

@@ -98,19 +98,38 @@ namespace postprocess
   void HtmlPage::attach(const std::string &entry, const std::string &named, const std::filesystem::path &file)
   {
     const std::uintmax_t bytes = std::filesystem::file_size(file);
-    const bool           fits  = body.size() + bytes / 3 * 4 < largest / 2;
-    char                 digest[17];
-    std::snprintf(digest, sizeof digest, "%016" PRIx64, digest_of_file(file));
-    body += attachment_opening + escaped(entry) + "\" data-named=\"" + escaped(named) + "\" data-digest=\"" + digest +
-            "\">" + (fits ? base64(numeric_text::read_whole(file)) : "") + attachment_closing + "\n";
+    const bool           fits  = has_room_for(bytes);
+    add_attached(entry, named, digest_of_file(file), fits ? base64(numeric_text::read_whole(file)) : "");
     paragraph(entry + ": " + file.filename().string() + ", " + std::to_string(bytes) + " bytes, " +
               (fits ? "in this page." : "too long for this page."));
   }
 
+  bool HtmlPage::attach_page(const std::string &entry, const std::string &named, const std::string &page)
+  {
+    if (!has_room_for(page.size()))
+      return false;
+    add_attached(entry, named, Digest().add(page).value(), base64(page));
+    paragraph(entry + ": " + std::filesystem::path(named).filename().string() + " with its files, in this page.");
+    return true;
+  }
+
+  bool HtmlPage::has_room_for(const std::uintmax_t bytes) const { return body.size() + bytes / 3 * 4 < largest / 2; }
+
+  void HtmlPage::add_attached(const std::string  &entry,
+                              const std::string  &named,
+                              const std::uint64_t digest,
+                              const std::string  &text)
+  {
+    char number[17];
+    std::snprintf(number, sizeof number, "%016" PRIx64, digest);
+    body += attachment_opening + escaped(entry) + "\" data-named=\"" + escaped(named) + "\" data-digest=\"" + number +
+            "\">" + text + attachment_closing + "\n";
+  }
+
   std::string HtmlPage::text() const
   {
-    return "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>" + title + "</title><style>" +
-           style + "</style></head>\n<body>\n<h1>" + title + "</h1>\n" + body + "</body></html>\n";
+    return page_opening + std::string("\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>") + title +
+           "</title><style>" + style + "</style></head>\n<body>\n<h1>" + title + "</h1>\n" + body + "</body></html>\n";
   }
 
   std::string base64(const std::string &bytes)

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -37,11 +38,17 @@ namespace postprocess
      * @param entry that names it, "Specimen/File" @param named what the scene calls it
      */
     void attach(const std::string &entry, const std::string &named, const std::filesystem::path &file);
+    /** The same for a page of the file named, with what that needs itself. @return false, and nothing done, where it would be too long */
+    bool attach_page(const std::string &entry, const std::string &named, const std::string &page);
 
     /** The whole page. */
     std::string text() const;
 
   private:
+    bool has_room_for(std::uintmax_t bytes) const;
+    void
+    add_attached(const std::string &entry, const std::string &named, std::uint64_t digest, const std::string &text);
+
     std::string title, body;
   };
 

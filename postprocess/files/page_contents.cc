@@ -68,6 +68,8 @@ namespace postprocess
     }
   } // namespace
 
+  bool is_page_text(const std::string &content) { return content.rfind(page_opening, 0) == 0; }
+
   PageContents read_page_contents(const std::string &page, const std::string &origin)
   {
     PageContents found;
@@ -75,9 +77,7 @@ namespace postprocess
     const auto   scene = between(page, from, scene_opening, scene_closing);
     if (!scene)
       throw base::InputError(
-        origin +
-        ": there is no scene in this page; pages of runs, as \"breccia report\" writes them, have one. A study's "
-        "page has its file instead: save what stands under that, and \"breccia study FILE\" runs it again.");
+        origin + ": there is no scene in this page; pages of runs, studies and calibrations have one (report.html).");
     found.scene = unescaped(*scene);
     from        = 0;
     while (const auto file = between(page, from, attachment_opening, attachment_closing))

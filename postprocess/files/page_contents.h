@@ -16,6 +16,9 @@ namespace postprocess
     std::optional<std::string> content; ///< nothing: it was too long for the page
   };
 
+  /** Whether a file's content is a page written by HtmlPage. */
+  bool is_page_text(const std::string &content);
+
   /** What a page written by HtmlPage can be run from. */
   struct PageContents
   {
@@ -33,6 +36,7 @@ namespace postprocess
   std::optional<std::string> bytes_of_base64(const std::string &text);
 
   // What stands around them in a page.
+  inline constexpr const char *page_opening       = "<!DOCTYPE html>";
   inline constexpr const char *scene_opening      = "<pre id=\"scene\">";
   inline constexpr const char *scene_closing      = "</pre>";
   inline constexpr const char *attachment_opening = "<script type=\"application/octet-stream\" data-entry=\"";

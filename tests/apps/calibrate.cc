@@ -51,6 +51,13 @@ TEST_CASE("breccia calibrate recovers known constants within their error bars an
   CHECK(again.status == 0);
   CHECK_THAT(again.out, Contains(" 0 new runs"));
   CHECK(content_of(folder / "out/calibration.json") == before);
+
+  const ScratchFolder elsewhere; // the page has all that it was made from
+  elsewhere.file("sent.html", content_of(folder / "out/report.html"));
+  std::filesystem::remove(folder / "measured.csv");
+  std::filesystem::remove(folder / "stack.prm");
+  REQUIRE(Program(elsewhere.path(), {"run", "sent.html", "-o", "again"}).wait().status == 0);
+  CHECK(nlohmann::json::parse(content_of(elsewhere / "again/calibration.json"))["constants"] == constants);
 }
 
 TEST_CASE("known constants of flat joints are recovered within their error bars", "[apps][slow]")

@@ -265,6 +265,25 @@ TEST_CASE("responses of a study can be read from curves, and a column that no ru
   CHECK_THAT(other.err, Contains("stretch") && Contains("mean_damage"));
 }
 
+TEST_CASE("the page of a study, sent elsewhere without any other file, gives the same table", "[apps][slow]")
+{
+  const ScratchFolder here, elsewhere;
+  write_study(here, study_of_stack());
+  REQUIRE(study(here, {"-o", "out", "-s", "Factors/limit/Levels=0.6e-4, 1e-4"}).status == 0);
+  elsewhere.file("sent.html", content_of(here / "out/report.html"));
+  for (const char *needed : {"packing.txt", "stack.prm", "study.prm"}) // the page has its own
+    std::filesystem::remove(here / needed);
+  const Outcome again = Program(elsewhere.path(), {"run", "sent.html", "-o", "again"}).wait();
+  INFO(again.err);
+  REQUIRE(again.status == 0);
+  CHECK(content_of(elsewhere / "again/table.csv") == content_of(here / "out/table.csv"));
+  CHECK(Program(elsewhere.path(), {"check", "sent.html"}).wait().status == 0);
+
+  const Outcome threads = Program(elsewhere.path(), {"run", "sent.html", "--threads", "2"}).wait();
+  CHECK(threads.status == 2);
+  CHECK_THAT(threads.err, Contains("Threads per run"));
+}
+
 TEST_CASE("the report of one factor at a time has its elasticities", "[apps][slow]")
 {
   const ScratchFolder folder;

@@ -198,7 +198,14 @@ namespace apps
     request.scene_file    = scene.file;
     request.scene_text    = completed_scene(*scene.root, Completed::everything);
     request.deciding_text = completed_scene(*scene.root, Completed::what_decides_results);
-    add_inputs(*scene.root, request.inputs);
+    request.inputs        = inputs_of(*scene.root);
     return request;
+  }
+
+  std::vector<InputFile> inputs_of(const Section &root)
+  {
+    std::vector<InputFile> inputs;
+    add_inputs(root, inputs);
+    return inputs;
   }
 } // namespace apps
