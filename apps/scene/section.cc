@@ -207,9 +207,9 @@ namespace apps
     return added;
   }
 
-  Entry &Section::file(const std::string &entry, std::string &member)
+  Entry &Section::file(const std::string &entry, std::string &member, const Need need)
   {
-    Entry &added = add(entry, "file", Need::required, "");
+    Entry &added = add(entry, "file", need, "");
     added.store  = [&member](const std::string &text, const Place &from) -> std::string {
       if (text.empty())
         return "expected the name of a file";

@@ -62,7 +62,8 @@ namespace apps
     Entry &flag(const std::string &entry, bool &member);
     Entry &vector(
       const std::string &entry, std::array<double, 3> &member, const std::string &unit, const Range &range, Need need);
-    Entry &file(const std::string &entry, std::string &member); ///< relative to the place it is written in; "" if unset
+    /** Relative to the place it is written in; "" if unset. */
+    Entry &file(const std::string &entry, std::string &member, Need need = Need::required);
     Entry &text(const std::string &entry, std::string &member, Need need);
     /** A formula in x, y, z [m] and t [s], or a table by time; nothing, or an empty text, leaves it unset. */
     Entry &expression(const std::string &entry, Expression &member, const std::string &unit);

@@ -57,7 +57,7 @@ namespace apps
 
     void declare_cheap_model(CalibrationFile &calibration, Section &section)
     {
-      section.file("Base scene", calibration.cheap.base_scene)
+      section.file("Base scene", calibration.cheap.base_scene, Need::optional)
         .means("In place of the base scene: an answer without inertia, a coarser packing");
       section.text("Changes", calibration.cheap.changes, Need::optional)
         .means("To its scenes, \"Specimen/Generator/Particle radius=3e-3; Loading/Compression/Strain rate=10\"");
@@ -93,7 +93,7 @@ namespace apps
     {
       const auto        has_one = [&target] { return !target.reference.empty(); };
       const std::string where   = "there is a reference scene";
-      section.file("Reference scene", target.reference)
+      section.file("Reference scene", target.reference, Need::optional)
         .means("Its run, once, is what was measured: particles, for the law of a continuum");
       section.text("Reference figure", target.reference_figure, Need::optional)
         .means("Name of the figure in its run, where it has another there")
@@ -120,8 +120,8 @@ namespace apps
       targets.named_sections("TARGET", [&calibration](Section &opened) {
         CalibrationTarget &target = calibration.targets.emplace_back();
         target.name               = opened.name();
-        opened.file("Scene", target.scene).means("The test, where it is not the base scene");
-        opened.file("Cheap scene", target.cheap_scene)
+        opened.file("Scene", target.scene, Need::optional).means("The test, where it is not the base scene");
+        opened.file("Cheap scene", target.cheap_scene, Need::optional)
           .means("The same test by the cheap model, where changes do not make it cheap")
           .only_if([&calibration] { return calibration.cheap.exists(); }, "there is a cheap model");
         opened.text("Figure", target.figure, Need::optional)

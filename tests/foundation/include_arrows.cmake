@@ -16,7 +16,7 @@ set(rooms base dem fem coupling postprocess apps)
 set(suffixes h hh hpp inl c cc cpp cxx in)
 
 set(base_rooms "")
-set(base_libraries Eigen/)
+set(base_libraries Eigen/ dlfcn.h)
 set(dem_rooms base)
 # Spectra is Eigen's eigenvalue solver, headers only; CHOLMOD factorises for statics; the last two are the vectors of
 # the compiler.
