@@ -40,7 +40,8 @@ namespace apps
       ->delimiter(',')
       ->check(CLI::Range(0, 64))
       ->type_name("N,...");
-    command.add_flag("!--notched-only", options->smooth, "No beams without a notch");
+    command.add_flag_callback(
+      "--notched-only", [options] { options->smooth = false; }, "No beams without a notch");
     command.add_flag("--restart", options->restart, "Throw away what an interrupted bench has left in the folder");
     command.add_flag("--quick", options->quick, "One geometry of sizes 1 and 2, with a notch");
     command.callback([options, &chosen] {
