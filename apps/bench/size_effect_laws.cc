@@ -1,8 +1,6 @@
 #include "apps/bench/size_effect_laws.h"
 
 #include "apps/bench/line_fit.h"
-#include "apps/optimisation/least_squares_search.h"
-#include "apps/statistics/uncertainty.h"
 #include "base/errors.h"
 
 #include <algorithm>
@@ -12,96 +10,115 @@ namespace apps
 {
   namespace
   {
-    constexpr double probability = 0.95;
+    constexpr ConstantRange of_exponents = {1, 0.2, 5};
 
-    /** By logarithms of sigma_0, D_0 and r, so that none can be negative. */
-    double log_strength(const Eigen::VectorXd &place, const double depth)
+    double exponent_in(const Eigen::VectorXd &constants) { return constants.size() > 2 ? constants[2] : 1; }
+
+    double log_of_notched(const Eigen::VectorXd &constants, const SizeStrength &beam)
     {
-      const double r = place.size() > 2 ? std::exp(place[2]) : 1;
-      return place[0] - std::log1p(std::pow(depth / std::exp(place[1]), r)) / (2 * r);
+      const double r = exponent_in(constants);
+      return std::log(constants[0]) - std::log1p(std::pow(beam.depth / constants[1], r)) / (2 * r);
     }
 
-    Eigen::VectorXd start_of(const std::vector<SizeStrength> &beams)
+    double log_of_smooth(const Eigen::VectorXd &constants, const SizeStrength &beam)
     {
+      const double r = exponent_in(constants);
+      return std::log(constants[0]) + std::log1p(r * constants[1] / beam.depth) / r;
+    }
+
+    double least_depth(const std::vector<SizeStrength> &beams)
+    {
+      return std::min_element(beams.begin(), beams.end(),
+                              [](const SizeStrength &a, const SizeStrength &b) { return a.depth < b.depth; })
+        ->depth;
+    }
+
+    /** A line whose slope says that strengths fall with the size. */
+    FittedLine falling(const std::vector<SizeStrength> &beams,
+                       double (*const abscissa)(const SizeStrength &),
+                       double (*const ordinate)(const SizeStrength &))
+    {
+      demand_sizes(beams);
       std::vector<double> x, y;
       for (const SizeStrength &beam : beams)
         {
-          x.push_back(beam.depth);
-          y.push_back(1 / (beam.strength * beam.strength));
+          x.push_back(abscissa(beam));
+          y.push_back(ordinate(beam));
         }
-      const auto [least, most] = std::minmax_element(x.begin(), x.end());
-      if (beams.size() < 3 || *least == *most)
-        throw base::InputError("a law of size effect needs three beams at least, of two sizes at least.");
       const FittedLine line = line_through(x, y);
       if (!(line.slope > 0))
         throw base::InputError("the strength does not fall with the size: there is no size effect to fit.");
+      return line;
+    }
+
+    std::vector<ConstantRange> start_of_notched(const std::vector<SizeStrength> &beams)
+    {
+      const FittedLine line = falling(
+        beams, [](const SizeStrength &b) { return b.depth; },
+        [](const SizeStrength &b) { return 1 / (b.strength * b.strength); });
       // A line that starts below zero is a crack alone: D_0 is then small.
-      const double depth = std::max(line.intercept / line.slope, 0.05 * *least);
-      return Eigen::Vector2d(-0.5 * std::log(line.slope * depth), std::log(depth));
+      const double depth = std::max(line.intercept / line.slope, 0.05 * least_depth(beams));
+      return {around(1 / std::sqrt(line.slope * depth)), around(depth)};
     }
 
-    Estimate exponential_of(const statistics::Uncertainty &of, const Eigen::VectorXd &place, const int which)
+    std::vector<ConstantRange> start_of_smooth(const std::vector<SizeStrength> &beams)
     {
-      const double value = std::exp(place[which]);
-      return {value, value * of.half_width(which, probability)};
+      const FittedLine line = falling(
+        beams, [](const SizeStrength &b) { return 1 / b.depth; }, [](const SizeStrength &b) { return b.strength; });
+      // A line that ends below zero would have large beams without any strength.
+      const double least =
+        std::min_element(beams.begin(), beams.end(), [](const SizeStrength &a, const SizeStrength &b) {
+          return a.strength < b.strength;
+        })->strength;
+      const double strength = std::max(line.intercept, 0.1 * least);
+      return {around(strength), around(line.slope / strength)};
     }
 
-    SizeEffectLaw fitted(const std::vector<SizeStrength> &beams, const Eigen::VectorXd &start)
+    template <typename Law>
+    Law in_members(const FittedConstants &found, Estimate Law::*const extent)
     {
-      optimisation::LeastSquaresProblem problem;
-      const auto                        n = start.size();
-      problem.start                       = start;
-      problem.lower                       = start - Eigen::VectorXd::Constant(n, std::log(1e4));
-      problem.upper                       = start + Eigen::VectorXd::Constant(n, std::log(1e4));
-      if (n > 2)
-        {
-          problem.lower[2] = std::log(0.2);
-          problem.upper[2] = std::log(5.0);
-        }
-      problem.steps     = Eigen::VectorXd::Constant(n, 1e-5);
-      problem.residuals = [&beams](const std::vector<Eigen::VectorXd> &places) {
-        std::vector<std::optional<Eigen::VectorXd>> all;
-        for (const Eigen::VectorXd &place : places)
-          {
-            Eigen::VectorXd misfit(static_cast<Eigen::Index>(beams.size()));
-            for (std::size_t i = 0; i < beams.size(); ++i)
-              misfit[static_cast<Eigen::Index>(i)] = log_strength(place, beams[i].depth) - std::log(beams[i].strength);
-            all.emplace_back(misfit);
-          }
-        return all;
-      };
-      optimisation::LeastSquaresOptions how;
-      how.central_differences                 = true;
-      const optimisation::LeastSquaresFit fit = optimisation::least_squares(problem, how);
-      statistics::UncertaintyOptions      held;
-      for (int i = 0; i < n; ++i)
-        if (fit.place[i] <= problem.lower[i] || fit.place[i] >= problem.upper[i])
-          held.held.push_back(i);
-      const statistics::Uncertainty of =
-        statistics::uncertainty(fit.jacobian, fit.residuals, Eigen::VectorXd::Ones(n), held);
-      SizeEffectLaw law;
-      law.strength = exponential_of(of, fit.place, 0);
-      law.depth    = exponential_of(of, fit.place, 1);
-      if (n > 2)
-        law.exponent = exponential_of(of, fit.place, 2);
-      law.scatter = of.scatter;
+      Law law;
+      law.strength = found.constants[0];
+      law.*extent  = found.constants[1];
+      if (found.constants.size() > 2)
+        law.exponent = found.constants[2];
+      law.scatter = found.scatter;
       return law;
     }
   } // namespace
 
   double SizeEffectLaw::at(const double size) const
   {
-    const double r = exponent.value;
-    return strength.value * std::pow(1 + std::pow(size / depth.value, r), -1 / (2 * r));
+    return std::exp(log_of_notched(Eigen::Vector3d(strength.value, depth.value, exponent.value), {size}));
   }
 
-  SizeEffectLaw fitted_bazant(const std::vector<SizeStrength> &beams) { return fitted(beams, start_of(beams)); }
+  double SmoothBeamLaw::at(const double size) const
+  {
+    return std::exp(log_of_smooth(Eigen::Vector3d(strength.value, layer.value, exponent.value), {size}));
+  }
+
+  SizeEffectLaw fitted_bazant(const std::vector<SizeStrength> &beams)
+  {
+    return in_members(fitted_constants(beams, start_of_notched(beams), log_of_notched), &SizeEffectLaw::depth);
+  }
 
   SizeEffectLaw fitted_with_exponent(const std::vector<SizeStrength> &beams)
   {
-    Eigen::VectorXd start(3);
-    start << start_of(beams), 0.0;
-    return fitted(beams, start);
+    std::vector<ConstantRange> ranges = start_of_notched(beams);
+    ranges.push_back(of_exponents);
+    return in_members(fitted_constants(beams, ranges, log_of_notched), &SizeEffectLaw::depth);
+  }
+
+  SmoothBeamLaw fitted_smooth(const std::vector<SizeStrength> &beams)
+  {
+    return in_members(fitted_constants(beams, start_of_smooth(beams), log_of_smooth), &SmoothBeamLaw::layer);
+  }
+
+  SmoothBeamLaw fitted_smooth_with_exponent(const std::vector<SizeStrength> &beams)
+  {
+    std::vector<ConstantRange> ranges = start_of_smooth(beams);
+    ranges.push_back(of_exponents);
+    return in_members(fitted_constants(beams, ranges, log_of_smooth), &SmoothBeamLaw::layer);
   }
 
   double shape_of_crack(const double a)
@@ -133,6 +150,15 @@ namespace apps
     SizeEffectLaw law;
     law.depth.value    = slope / g * zone;
     law.strength.value = std::sqrt(young * energy / (slope * zone));
+    return law;
+  }
+
+  SmoothBeamLaw smooth_law_of_one_size(const SizeStrength &beam, const double zone)
+  {
+    // g'(0) = pi F^2 and g''(0) = 4 pi F F' of the polynomial, with F(0) = 1 and F'(0) = -1: D_b = -g''(0)/(4 g'(0)) c_f.
+    SmoothBeamLaw law;
+    law.layer.value    = zone;
+    law.strength.value = beam.strength / (1 + zone / beam.depth);
     return law;
   }
 } // namespace apps

@@ -17,7 +17,7 @@ namespace apps
     const auto options = std::make_shared<Options>();
     options->folder    = "output/bench_size_effect";
     CLI::App &command  = *bench.add_subcommand(
-       "size-effect", "Notched beams of one shape and several sizes: strengths beside laws of size effect");
+       "size-effect", "Beams of one shape and several sizes, notched and smooth: strengths beside laws of size effect");
     command.add_option("scene", options->scene, "Scene of the smallest beam; default: " + options->scene)
       ->type_name("SCENE");
     add_overrides(command, options->overrides, "Set an entry of the scene; repeatable");
@@ -34,7 +34,16 @@ namespace apps
     command
       .add_option("--calibrated", options->calibrated, "Size from which alone the others are predicted; default: 2")
       ->type_name("N");
-    command.add_flag("--quick", options->quick, "One geometry of sizes 1 and 2");
+    command
+      .add_option("--particles", options->particles,
+                  "Of the sizes, beams all of particles beside; 0: none; default: 1,2")
+      ->delimiter(',')
+      ->check(CLI::Range(0, 64))
+      ->type_name("N,...");
+    command.add_flag_callback(
+      "--notched-only", [options] { options->smooth = false; }, "No beams without a notch");
+    command.add_flag("--restart", options->restart, "Throw away what an interrupted bench has left in the folder");
+    command.add_flag("--quick", options->quick, "One geometry of sizes 1 and 2, with a notch");
     command.callback([options, &chosen] {
       chosen = [options] {
         use_threads(options->threads);

@@ -19,7 +19,12 @@ set(apps_commands_sources
   bench/scene_variant.cc
   bench/sequential.cc
   bench/size_effect.cc
+  bench/size_effect_answer.cc
+  bench/size_effect_beams.cc
+  bench/size_effect_fit.cc
   bench/size_effect_laws.cc
+  bench/size_effect_report.cc
+  bench/size_effect_universal.cc
   bench/structure.cc
   bench/surface.cc
   bench/uniaxial.cc

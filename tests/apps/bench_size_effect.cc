@@ -1,5 +1,6 @@
 // Laws of size effect, and the bench that fits them to beams of one shape.
-#include "apps/bench/size_effect_laws.h"
+#include "apps/bench/size_effect_answer.h"
+#include "apps/bench/size_effect_universal.h"
 #include "base/errors.h"
 #include "tests/apps/program.h"
 #include "tests/apps/scratch_folder.h"
@@ -8,6 +9,7 @@
 #include <catch2/catch.hpp>
 
 #include <cmath>
+#include <random>
 #include <vector>
 
 using namespace apps_tests;
@@ -18,13 +20,54 @@ using Catch::WithinRel;
 namespace
 {
   /** Beams of 20 to 160 mm that follow a law, three of each with a scatter of 3 %. */
-  std::vector<apps::SizeStrength> beams_of(const apps::SizeEffectLaw &law, const double scatter)
+  template <typename Law>
+  std::vector<apps::SizeStrength> beams_of(const Law &law, const double scatter)
   {
     std::vector<apps::SizeStrength> beams;
     for (const double depth : {0.02, 0.04, 0.08, 0.16})
       for (const double part : {-1.0, 0.0, 1.0})
         beams.push_back({depth, law.at(depth) * std::exp(scatter * part)});
     return beams;
+  }
+
+  apps::SmoothBeamLaw smooth_law_of(const double strength, const double layer, const double exponent)
+  {
+    apps::SmoothBeamLaw law;
+    law.strength.value = strength;
+    law.layer.value    = layer;
+    law.exponent.value = exponent;
+    return law;
+  }
+
+  apps::UniversalLaw universal_law()
+  {
+    apps::UniversalLaw law;
+    law.young          = 30e9;
+    law.energy.value   = 40;
+    law.zone.value     = 0.012;
+    law.strength.value = 3.5e6;
+    law.layer.value    = 0.008;
+    law.exponent.value = 1.3;
+    return law;
+  }
+
+  std::vector<apps::SizeStrength> beams_of_both_kinds(const apps::UniversalLaw &law)
+  {
+    std::vector<apps::SizeStrength> beams;
+    for (const double depth : {0.02, 0.04, 0.08, 0.16})
+      for (const double notch : {0.3, 0.0})
+        beams.push_back({depth, law.at({depth, 0, notch}), notch});
+    return beams;
+  }
+
+  apps::BrokenBeam beam_of(const apps::BeamCase &of, const double strength, const double work)
+  {
+    apps::BrokenBeam beam;
+    beam.of       = of;
+    beam.depth    = 0.02 * of.size;
+    beam.strength = strength;
+    beam.work     = work;
+    return beam;
   }
 
   apps::SizeEffectLaw law_of(const double strength, const double depth, const double exponent)
@@ -86,6 +129,129 @@ TEST_CASE("the crack of a beam has the published shape, and its law gives back t
   CHECK_THAT(from_one.strength.value, WithinRel(4e6, 1e-6));
   CHECK_THAT(from_one.depth.value, WithinRel(0.06, 1e-6));
   CHECK_THROWS_WITH(apps::law_of_one_size({0.04, 2 * law.at(1e-6)}, crack.energy, alpha, young), Contains("no law"));
+}
+
+TEST_CASE("the law of smooth beams is found again from beams that follow it", "[apps][mesoscale]")
+{
+  const apps::SmoothBeamLaw exact = apps::fitted_smooth(beams_of(smooth_law_of(4e6, 0.01, 1), 0));
+  CHECK_THAT(exact.strength.value, WithinRel(4e6, 1e-6));
+  CHECK_THAT(exact.layer.value, WithinRel(0.01, 1e-5));
+  const apps::SmoothBeamLaw free = apps::fitted_smooth_with_exponent(beams_of(smooth_law_of(4e6, 0.01, 1.5), 0));
+  CHECK_THAT(free.exponent.value, WithinRel(1.5, 1e-3));
+  CHECK_THAT(free.strength.value, WithinRel(4e6, 1e-4));
+  CHECK_THAT(free.layer.value, WithinRel(0.01, 1e-3));
+
+  // A large beam breaks at f_inf; r = 1 is f_inf (1 + D_b/D).
+  CHECK_THAT(smooth_law_of(4e6, 0.01, 2).at(1e4), WithinRel(4e6, 1e-5));
+  CHECK_THAT(smooth_law_of(4e6, 0.01, 1).at(0.04), WithinRel(5e6, 1e-12));
+  CHECK_THAT(smooth_law_of(4e6, 0.01, 2).at(0.02), WithinRel(4e6 * std::sqrt(2.0), 1e-12));
+  CHECK_THROWS_WITH(apps::fitted_smooth({{0.02, 3e6}, {0.04, 3.1e6}, {0.08, 3.2e6}}), Contains("does not fall"));
+}
+
+TEST_CASE("standard errors of a law of size effect are the scatter of its constants over repeated tests",
+          "[apps][mesoscale]")
+{
+  const apps::SmoothBeamLaw law     = smooth_law_of(4e6, 0.01, 1);
+  constexpr double          scatter = 0.03;
+  constexpr int             tests   = 600;
+  std::mt19937_64           random(7);
+  std::normal_distribution  normal(0.0, scatter);
+  double                    sum = 0, squares = 0, sum_layer = 0, squares_layer = 0, claimed = 0, claimed_layer = 0;
+  for (int test = 0; test < tests; ++test)
+    {
+      std::vector<apps::SizeStrength> beams = beams_of(law, 0);
+      for (apps::SizeStrength &beam : beams)
+        beam.strength *= std::exp(normal(random));
+      const apps::SmoothBeamLaw fit = apps::fitted_smooth(beams);
+      const double              f = std::log(fit.strength.value), layer = std::log(fit.layer.value);
+      sum += f;
+      squares += f * f;
+      sum_layer += layer;
+      squares_layer += layer * layer;
+      claimed += std::pow(fit.strength.standard_error / fit.strength.value, 2);
+      claimed_layer += std::pow(fit.layer.standard_error / fit.layer.value, 2);
+    }
+  const auto variance = [](const double total, const double of_squares) {
+    return (of_squares - total * total / tests) / (tests - 1);
+  };
+  // The deviation of 600 draws is itself known to 3 %.
+  CHECK_THAT(std::sqrt(claimed / tests), WithinRel(std::sqrt(variance(sum, squares)), 0.1));
+  CHECK_THAT(std::sqrt(claimed_layer / tests), WithinRel(std::sqrt(variance(sum_layer, squares_layer)), 0.1));
+}
+
+TEST_CASE("the universal law is that of a notch and that of none at its ends, and is found again from both kinds",
+          "[apps][mesoscale]")
+{
+  const apps::UniversalLaw law = universal_law();
+  const double             E = law.young, G = law.energy.value, c = law.zone.value, D = 0.08;
+  const double             g = apps::shape_of_crack(0.3), slope = apps::slope_of_shape(0.3);
+  CHECK_THAT(law.at({D, 0, 0.3}), WithinRel(std::sqrt(E * G / (g * D + slope * c)), 1e-12));
+  CHECK_THAT(law.at({D, 0, 0}), WithinRel(smooth_law_of(3.5e6, 0.008, 1.3).at(D), 1e-12));
+  // Between the ends, by hand: lambda = 0.5.
+  const double resisted = g * D + 0.5 * slope * c + 0.5 * E * G / std::pow(3.5e6, 2);
+  CHECK_THAT(law.at({D, 0, 0.3}, 0.5),
+             WithinRel(std::sqrt(E * G / resisted) * std::pow(1 + 1.3 * 0.5 * 0.008 / D, 1 / 1.3), 1e-12));
+
+  const apps::UniversalLaw found = apps::fitted_universal(beams_of_both_kinds(law), E);
+  CHECK_THAT(found.energy.value, WithinRel(40, 1e-4));
+  CHECK_THAT(found.zone.value, WithinRel(0.012, 1e-4));
+  CHECK_THAT(found.strength.value, WithinRel(3.5e6, 1e-4));
+  CHECK_THAT(found.layer.value, WithinRel(0.008, 1e-3));
+  CHECK_THAT(found.exponent.value, WithinRel(1.3, 1e-3));
+}
+
+TEST_CASE("a crack that begins at the face has the layer of its zone", "[apps][mesoscale]")
+{
+  // Bazant, Li (1995): sigma_N^2 (g'(0) c + g''(0) c^2/(2 D)) = E G, whose expansion for large D is f (1 + D_b/D), D_b = -g'' c/(4 g').
+  constexpr double c = 0.01, D = 100, step = 1e-4;
+  const double     slope  = apps::shape_of_crack(step) / step; // at step/2 to the second order
+  const double     second = (apps::shape_of_crack(2 * step) - 2 * apps::shape_of_crack(step)) / (step * step);
+  CHECK_THAT(slope, WithinRel(M_PI, 1e-3));
+  CHECK_THAT(-second / (4 * M_PI), WithinRel(1.0, 2e-3));
+  const apps::SmoothBeamLaw law    = apps::smooth_law_of_one_size({0.04, 5e6}, c);
+  const double              energy = M_PI * c * std::pow(law.strength.value, 2); // E G
+  const double              exact  = std::sqrt(energy / (M_PI * c - 4 * M_PI * c * c / (2 * D)));
+  CHECK_THAT(law.at(D), WithinRel(exact, 1e-7));
+  CHECK_THAT(law.at(0.04), WithinRel(5e6, 1e-12));
+}
+
+TEST_CASE("one size alone predicts the beams of a law that it obeys, with a notch and without", "[apps][mesoscale]")
+{
+  const double                  young = 30e9;
+  const apps::SizeEffectLaw     deep  = law_of(4e6, 0.06, 1);
+  const apps::CrackOfLaw        crack = apps::crack_of(deep, 0.3, young);
+  const apps::SmoothBeamLaw     face  = smooth_law_of(4.5e6, crack.zone, 1);
+  std::vector<apps::BrokenBeam> all;
+  for (const int size : {1, 2, 4, 8})
+    for (const bool notched : {true, false})
+      all.push_back(beam_of({size, 1, notched, false, size == 2}, notched ? deep.at(0.02 * size) : face.at(0.02 * size),
+                            crack.energy));
+  const apps::SizeEffectAnswer answer = apps::size_effect_answer(all, 2, young);
+  REQUIRE(answer.laws.size() == 4);
+  for (const apps::NamedLaw &law : answer.laws)
+    for (const double depth : {0.02, 0.16})
+      {
+        INFO(law.name);
+        REQUIRE(law.notched);
+        REQUIRE(law.smooth);
+        CHECK_THAT(law.notched(depth), WithinRel(deep.at(depth), 1e-3));
+        CHECK_THAT(law.smooth(depth), WithinRel(face.at(depth), 1e-3));
+      }
+}
+
+TEST_CASE("beams that a folder holds are read as they were written", "[apps][mesoscale]")
+{
+  apps::BrokenBeam beam        = beam_of({2, 3, false, true, false}, 4e6, 30);
+  beam.particles               = 1375;
+  beam.cost                    = 12.5;
+  beam.shared                  = 0.01;
+  const apps::BrokenBeam again = apps::BrokenBeam::read(beam.of, beam.record());
+  CHECK(again.strength == 4e6);
+  CHECK(again.work == 30);
+  CHECK(again.particles == 1375);
+  CHECK(again.shared == 0.01);
+  CHECK(again.cost == 12.5);
+  CHECK(again.of.name() == "size 2, geometry 3, without notch, all particles");
 }
 
 TEST_CASE("bench size-effect refuses a scene without a bending test, and a size that it does not run",
