@@ -9,7 +9,7 @@ namespace apps
   /** Options of `breccia bench confined`. */
   struct ConfinedBench
   {
-    std::string              scene;
+    std::string              scene = "apps/scenes/rock_triaxial.prm";
     std::vector<std::string> overrides;
     std::filesystem::path    folder;
     std::vector<double>      pressures = {0.5e6, 2e6, 5e6, 10e6}; ///< [Pa], > 0

@@ -9,8 +9,8 @@ namespace apps
   /** Options of `breccia bench mesoscale`. */
   struct MesoscaleBench
   {
-    std::string              scene;     ///< of kind uniaxial, with a mix
-    std::vector<std::string> overrides; ///< of the scene
+    std::string              scene = "apps/scenes/mesoscale_cube.prm"; ///< of kind uniaxial, with a mix
+    std::vector<std::string> overrides;                                ///< of the scene
     std::filesystem::path    folder;
     int                      geometries = 3; ///< of aggregates, per mix
     std::vector<std::string> mixes;          ///< names of those to take; empty: all six

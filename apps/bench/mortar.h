@@ -9,7 +9,7 @@ namespace apps
   /** Options of `breccia bench mortar`. */
   struct MortarBench
   {
-    std::string              scene;
+    std::string              scene = "apps/scenes/mortar_window.prm";
     std::vector<std::string> overrides;
     std::filesystem::path    folder;
     bool                     quick = false; ///< fewer cases

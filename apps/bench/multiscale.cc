@@ -377,6 +377,7 @@ namespace apps
 
   int run_multiscale_bench(const MultiscaleBench &bench)
   {
+    const int threads = omp_get_max_threads(); // cells alone are looked at with numbers of their own
     start_mpi();
     for (const Benched &of : {beam_before_peak(bench), small_plate(bench.plate)}) // before anything that takes long
       plane_model(SceneVariant().of(of.scene, of.overrides));
@@ -394,7 +395,7 @@ namespace apps
     const std::string            tables = table_of(cells) + table_of(moving);
     fmt::print("{}", table_of(moving));
     std::fflush(stdout);
-    omp_set_num_threads(bench.threads);
+    omp_set_num_threads(threads);
     const auto study = [&](const std::vector<SceneVariant> &variants, const Benched &of) {
       studies.emplace_back();
       for (const SceneVariant &variant : variants)

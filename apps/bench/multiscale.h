@@ -9,12 +9,12 @@ namespace apps
   /** Options of `breccia bench multiscale`. */
   struct MultiscaleBench
   {
-    std::string              scene;     ///< of kind continuum, in the plane, with cells
-    std::string              plate;     ///< likewise; coarsened, and driven in equilibrium and in motion
+    std::string scene = "apps/scenes/cells_in_beam.prm"; ///< of kind continuum, in the plane, with cells
+    std::string plate =
+      "apps/scenes/cells_at_hole.prm";  ///< likewise; coarsened, and driven in equilibrium and in motion
     std::vector<std::string> overrides; ///< of it
     std::filesystem::path    folder;
-    int                      threads = 1;
-    bool                     quick   = false; ///< small cells, and a short part of the curve only
+    bool                     quick = false; ///< small cells, and a short part of the curve only
   };
 
   /**

@@ -9,8 +9,8 @@ namespace apps
   /** Options of `breccia bench quasi-static`. */
   struct QuasiStaticBench
   {
-    std::string              scene;     ///< of kind uniaxial: material, particles, grips, damping
-    std::vector<std::string> overrides; ///< of the scene
+    std::string scene = "apps/scenes/concrete_uniaxial.prm"; ///< of kind uniaxial: material, particles, grips, damping
+    std::vector<std::string> overrides;                      ///< of the scene
     std::filesystem::path    folder;
     int                      cell_particles = 500; ///< of the packing that the specimen is cropped from
     double                   edge  = 10; ///< of the specimen, 1.5 times as high, over the radius of its spheres

@@ -9,7 +9,8 @@ namespace apps
   /** Options of `breccia bench rate-effect`. */
   struct RateEffectBench
   {
-    std::string              scene;     ///< of kind uniaxial, whose law has a Damage time or a Plastic time
+    std::string scene =
+      "apps/scenes/rate_effect.prm";    ///< of kind uniaxial, whose law has a Damage time or a Plastic time
     std::vector<std::string> overrides; ///< of the scene
     std::filesystem::path    folder;
     std::vector<double>      rates = {1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 1e-1, 1, 3, 10, 30, 100}; ///< ascending [1/s]

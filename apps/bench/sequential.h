@@ -9,7 +9,8 @@ namespace apps
   /** Options of `breccia bench sequential`. */
   struct SequentialBench
   {
-    std::string              scene; ///< of kind sequential, particles strained between grips, continuum a box
+    std::string scene =
+      "apps/scenes/transfer_compression.prm"; ///< of kind sequential, particles strained between grips, continuum a box
     std::vector<std::string> overrides;
     std::filesystem::path    folder;
     bool                     quick = false;

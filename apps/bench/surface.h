@@ -9,7 +9,7 @@ namespace apps
   /** Options of `breccia bench surface`. */
   struct SurfaceBench
   {
-    std::vector<std::string> scenes;
+    std::vector<std::string> scenes = {"apps/scenes/hertz_impact.prm", "apps/scenes/colliding_balls.prm"};
     std::vector<std::string> overrides; ///< of the scenes
     std::filesystem::path    folder;
     bool                     quick = false; ///< fewer and cheaper cases

@@ -9,7 +9,7 @@ namespace apps
   /** Options of `breccia bench uniaxial`. */
   struct UniaxialBench
   {
-    std::string              scene;
+    std::string              scene = "apps/scenes/concrete_uniaxial.prm";
     std::vector<std::string> overrides; ///< of the scene
     std::filesystem::path    folder;
     int                      seeds = 1;     ///< packings per case; their mean is taken, and their scatter shown

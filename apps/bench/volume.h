@@ -9,7 +9,7 @@ namespace apps
   /** Options of `breccia bench volume`. */
   struct VolumeBench
   {
-    std::string              scene;
+    std::string              scene = "apps/scenes/wave_transmission.prm";
     std::vector<std::string> overrides; ///< of the scene
     std::filesystem::path    folder;
     bool                     quick = false; ///< fewer wavelengths

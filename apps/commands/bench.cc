@@ -1,10 +1,4 @@
-#include "apps/bench/uniaxial.h"
 #include "apps/commands/command.h"
-#include "apps/commands/scene_options.h"
-
-#include <CLI/Validators.hpp>
-
-#include <memory>
 
 namespace apps
 {
@@ -24,18 +18,11 @@ namespace apps
   void add_size_effect_bench(CLI::App &bench, Action &chosen);
   void add_structure_bench(CLI::App &bench, Action &chosen);
   void add_surface_bench(CLI::App &bench, Action &chosen);
+  void add_uniaxial_bench(CLI::App &bench, Action &chosen);
   void add_volume_bench(CLI::App &bench, Action &chosen);
 
   void add_bench(CLI::App &program, Action &chosen)
   {
-    struct Options : UniaxialBench
-    {
-      int threads = 0;
-    };
-    const auto options = std::make_shared<Options>();
-    options->scene     = "apps/scenes/concrete_uniaxial.prm";
-    options->folder    = "output/bench_uniaxial";
-
     CLI::App &bench = *program.add_subcommand("bench", "Speed against error, as a table and a figure");
     bench.require_subcommand(1);
     add_calibration_bench(bench, chosen);
@@ -55,23 +42,6 @@ namespace apps
     add_structure_bench(bench, chosen);
     add_surface_bench(bench, chosen);
     add_volume_bench(bench, chosen);
-    CLI::App &command =
-      *bench.add_subcommand("uniaxial", "Strengths and modulus over time step, loading rate and particle size");
-    command.add_option("scene", options->scene, "Scene of kind uniaxial; default: " + options->scene)
-      ->type_name("SCENE");
-    add_overrides(command, options->overrides, "Set an entry of the scene; repeatable");
-    add_threads(command, options->threads);
-    add_no_cache(command);
-    add_bench_folder(command, options->folder);
-    command.add_option("--seeds", options->seeds, "Packings per case; default: 1")
-      ->check(CLI::Range(1, 1000))
-      ->type_name("N");
-    command.add_flag("--quick", options->quick, "Fewer and cheaper cases");
-    command.callback([options, &chosen] {
-      chosen = [options] {
-        use_threads(options->threads);
-        return run_uniaxial_bench(*options);
-      };
-    });
+    add_uniaxial_bench(bench, chosen);
   }
 } // namespace apps

@@ -16,7 +16,6 @@ namespace apps
       bool beam    = false;
     };
     const auto options = std::make_shared<Options>();
-    options->scene     = "apps/scenes/wave_transmission.prm";
     options->folder    = "output/bench_volume";
     CLI::App &command  = *bench.add_subcommand(
        "volume", "Waves from particles into a continuum: reflected energy and cost, by every method");

@@ -49,6 +49,7 @@ set(apps_commands_sources
   commands/bench_size_effect.cc
   commands/bench_structure.cc
   commands/bench_surface.cc
+  commands/bench_uniaxial.cc
   commands/bench_volume.cc
   commands/calibrate.cc
   commands/check.cc
