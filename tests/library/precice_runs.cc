@@ -14,6 +14,7 @@
 #include <catch2/catch.hpp>
 
 #include <cmath>
+#include <cstdlib>
 
 using namespace apps_tests;
 using Catch::Contains;
@@ -114,6 +115,29 @@ TEST_CASE("run that ends before its coupling does so with a warning", "[library]
   REQUIRE(result.warnings().size() == 1);
   CHECK_THAT(result.warnings().front(), Contains("the run ended at 0.0002 s, before the coupling"));
   CHECK(result.summary["ended_by"] == "end time");
+}
+
+TEST_CASE("participant of preCICE is one process: several are refused before the others are met", "[library]")
+{
+  struct TwoRanks // as mpirun says it
+  {
+    TwoRanks() { ::setenv("OMPI_COMM_WORLD_SIZE", "2", 1); }
+    ~TwoRanks() { ::unsetenv("OMPI_COMM_WORLD_SIZE"); }
+  };
+  Course                     course = spring(1);
+  const apps::ParticlesModel model  = swinging_ball(course);
+  const TwoRanks             two;
+  std::string                said;
+  try
+    {
+      run(model, apps::RunRequest());
+    }
+  catch (const base::InputError &refusal)
+    {
+      said = refusal.what();
+    }
+  CHECK_THAT(said, Contains("a participant is one process, and mpirun has started 2"));
+  CHECK(course.windows.empty());
 }
 
 TEST_CASE("run of a rod whose end another program leads takes rho c v A there, and twice that at its support",
