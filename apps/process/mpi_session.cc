@@ -2,6 +2,7 @@
 
 #include "apps/process/interrupt.h"
 #include "base/errors.h"
+#include "base/solver_turns.h"
 #include "postprocess/files/errors.h"
 
 #include <deal.II/base/mpi.h>
@@ -111,6 +112,7 @@ namespace apps
     sigaction(SIGINT, nullptr, &handlers[0]);
     sigaction(SIGTERM, nullptr, &handlers[1]);
     session() = std::make_unique<Session>(count, given, 1);
+    base::LoadedOpenBlas().use_one_thread(); // for the solvers of PETSc and Trilinos as well
     if (rank_count() > 1)
       MPI_Comm_dup(MPI_COMM_WORLD, &failures);
     sigaction(SIGINT, &handlers[0], nullptr);
