@@ -17,6 +17,11 @@ for library in libc6 libdeal.ii libhdf5; do
     exit 1
   fi
 done
+maintainer=$(dpkg-deb --field "${packages[0]}" Maintainer)
+if [ -z "$maintainer" ] || [[ $maintainer == *@localhost* ]]; then
+  echo "the package's maintainer has no name, or an address that does not exist: '$maintainer'"
+  exit 1
+fi
 dpkg-deb --extract "${packages[0]}" "$scratch/root"
 if [ -e "$scratch/root/usr/include" ]; then
   echo "headers are for programs of one's own, not in this package"
