@@ -6,12 +6,12 @@
 
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME breccia)
-set(CPACK_PACKAGE_VENDOR "Seed 605a0e14 maintainers")
-set(CPACK_PACKAGE_CONTACT "Seed 605a0e14 maintainers")
+set(CPACK_PACKAGE_VENDOR "Breccia developers")
+set(CPACK_PACKAGE_CONTACT "Breccia developers")
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_INSTALL_CMAKE_PROJECTS "${CMAKE_BINARY_DIR};${PROJECT_NAME};Unspecified;/")
 set(CPACK_STRIP_FILES ON)
-set(CPACK_DEBIAN_PACKAGE_MAINTAINER "Seed 605a0e14 maintainers")
+set(CPACK_DEBIAN_PACKAGE_MAINTAINER "Breccia developers")
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS gnuplot-nox) # pictures; without it a run says which are missing
