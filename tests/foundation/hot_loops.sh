@@ -11,8 +11,8 @@ set -euo pipefail
 
 objdump=$1
 shift
-kernels='(link_update::update_block<|dem::.*particle_pass<|FrictionalAssembly::block_|IncompleteFactor<.*>::(eliminate|apply<)|SplineGrid::spread_part<|BondForces::Pass::run_as<|StiffnessOperator::apply)'
-allowed='replace_large_rotations<|multiply_add_in_parts<|::damage_at<|advance_elements<|exact_rotation_coefficients|solve_rate_equation<|^(sin|cos|sincos|fma)(@|-|\+|$)|omp_get_|GOMP_|__kmpc_|^memset|__stack_chk_fail|update_block<'
+kernels='(link_update::update_block<|dem::.*particle_pass<|FrictionalAssembly::block_|IncompleteFactor<.*>::(eliminate|apply<)|SplineGrid::spread_part<|BondForces::Pass::run_as<|StiffnessOperator::(apply|gather<))'
+allowed='replace_large_rotations<|multiply_add_in_parts<|::damage_at<|advance_elements<|exact_rotation_coefficients|solve_rate_equation<|^(sin|cos|sincos|fma)(@|-|\+|$)|omp_get_|GOMP_|__kmpc_|^memset|__stack_chk_fail|update_block<|StiffnessOperator::gather<'
 allowed+='|^memmove|_default_append|emplace_back|_Vector_base<|_Unwind_Resume|^[.]text[.]unlikely'
 
 # A call of a function that is local to its object is given as a place in its section: four bytes before its first one.
