@@ -15,7 +15,7 @@ namespace apps
     void require_content(const fs::path &file, const postprocess::AttachedFile &wanted, const std::string &page)
     {
       if (!fs::is_regular_file(file))
-        throw base::InputError(page + ": " + wanted.entry + " was too long for the page: put the file at " +
+        throw base::InputError(page + ": " + wanted.entry + " is not in the page: put the file at " +
                                file.string() + ".");
       if (postprocess::digest_of_file(file) != wanted.digest)
         throw base::InputError(page + ": " + wanted.entry + ": " + file.string() +

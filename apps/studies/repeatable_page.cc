@@ -12,12 +12,15 @@ namespace apps
 {
   namespace
   {
-    /** A scene with its files; nothing for another file, and for a scene that is none without what the study changes. */
-    std::optional<std::string> scene_as_page(const std::string &file)
+    bool is_scene(const std::string &file)
     {
       const std::string extension = std::filesystem::path(file).extension().string();
-      if (extension != ".prm" && extension != ".json")
-        return std::nullopt;
+      return extension == ".prm" || extension == ".json";
+    }
+
+    /** A scene with its files; nothing for one that is refused without what the study changes. */
+    std::optional<std::string> scene_as_page(const std::string &file)
+    {
       try
         {
           const CheckedScene    scene   = read_scene(file, {});
@@ -38,9 +41,11 @@ namespace apps
     const std::string text = completed_scene(root, Completed::everything);
     page.scene(text);
     for (const InputFile &input : inputs_of(root))
-      if (const auto own = scene_as_page(input.file);
-          !own || !page.attach_page(input.entry, name_in(text, input), *own))
+      if (!is_scene(input.file))
         page.attach(input.entry, name_in(text, input), input.file);
+      else if (const auto own = scene_as_page(input.file);
+               !own || !page.attach_page(input.entry, name_in(text, input), *own))
+        page.require(input.entry, name_in(text, input), input.file); // its own files lie beside it
     page.paragraph("The same table again: breccia run report.html -o FOLDER");
   }
 } // namespace apps

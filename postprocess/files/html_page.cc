@@ -104,6 +104,13 @@ namespace postprocess
               (fits ? "in this page." : "too long for this page."));
   }
 
+  void HtmlPage::require(const std::string &entry, const std::string &named, const std::filesystem::path &file)
+  {
+    add_attached(entry, named, digest_of_file(file), "");
+    paragraph(entry + ": " + file.filename().string() +
+              " is not in this page: it must lie, with the files that it names, at " + named + ".");
+  }
+
   bool HtmlPage::attach_page(const std::string &entry, const std::string &named, const std::string &page)
   {
     if (!has_room_for(page.size()))

@@ -38,7 +38,9 @@ namespace postprocess
      * @param entry that names it, "Specimen/File" @param named what the scene calls it
      */
     void attach(const std::string &entry, const std::string &named, const std::filesystem::path &file);
-    /** The same for a page of the file named, with what that needs itself. @return false, and nothing done, where it would be too long */
+    /** A file that must lie where it is named: its name and what it holds, not its content. */
+    void require(const std::string &entry, const std::string &named, const std::filesystem::path &file);
+    /** As attach(), for a page of the file named, with what that needs itself. @return false, and nothing done, where it would be too long */
     bool attach_page(const std::string &entry, const std::string &named, const std::string &page);
 
     /** The whole page. */
