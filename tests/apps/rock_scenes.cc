@@ -287,6 +287,22 @@ TEST_CASE("a summary warns of a loading that was not static, and reports the dev
   CHECK(of_laboratory(found, "largest_deviator") > 0);
 }
 
+TEST_CASE("strengths that a test under pressure has not found are figures with a reason", "[apps][laboratory][slow]")
+{
+  const ScratchFolder folder;
+  const Results       found = results_of(
+          folder, rock("biaxial"),
+          {"Specimen/Box size=0.012, 0.02, 1", "Laboratory/Speed=2", "Laboratory/Largest strain=1e-4", "Output/Snapshots=0"});
+  const auto &lab = found.summary["figures"]["laboratory"];
+  for (const char *name : {"deviator_strength", "axial_strength"})
+    {
+      INFO(name);
+      REQUIRE(lab.contains(name));
+      CHECK(lab[name]["value"].is_null());
+      CHECK_FALSE(lab[name]["not_determined"].get<std::string>().empty());
+    }
+}
+
 TEST_CASE("a cylinder is loaded only when it stands still under its pressure", "[apps][laboratory][slow]")
 {
   const ScratchFolder folder;

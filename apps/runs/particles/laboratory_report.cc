@@ -180,9 +180,12 @@ namespace apps
     if (asked.published.given())
       found["published"] = asked.published.json(f);
     if (asked.confined())
-      found["confining_pressure"] = quantity(asked.asked.pressure, "Pa");
-    if (asked.confined() && f.strength.found)
-      found["axial_strength"] = quantity(f.strength.value + asked.asked.pressure, "Pa");
+      {
+        dem::Finding axial = f.strength;
+        axial.value += asked.asked.pressure;
+        found["confining_pressure"] = quantity(asked.asked.pressure, "Pa");
+        found["axial_strength"]     = figure(axial, "Pa");
+      }
     if (test.parameters().seating_stress > 0)
       found["strain_at_end_of_seating"] = quantity(test.seated_strain(), "-");
     found["quasi_static"] = json_of(how_static(), slower);
