@@ -38,7 +38,7 @@ namespace apps
         for (const bool notched : {true, false})
           for (const bool alone : {false, true})
             for (int geometry = 1; geometry <= bench.geometries; ++geometry)
-              if ((notched || bench.smooth) && (!alone || among(bench.particles, size)))
+              if ((notched || !bench.notched_only) && (!alone || among(bench.particles, size)))
                 all.push_back({size, geometry, notched, alone, size == bench.calibrated && notched && !alone});
       return all;
     }
@@ -79,10 +79,10 @@ namespace apps
     SizeEffectBench bench = asked;
     if (bench.quick)
       {
-        bench.sizes      = {1, 2};
-        bench.particles  = {};
-        bench.geometries = 1;
-        bench.smooth     = false;
+        bench.sizes        = {1, 2};
+        bench.particles    = {};
+        bench.geometries   = 1;
+        bench.notched_only = true;
       }
     const CheckedScene    scene = read_scene(bench.scene, bench.overrides);
     const StructureModel &one   = model_of_kind<StructureModel>(scene, "structure");

@@ -12,13 +12,13 @@ namespace apps
     std::string              scene = "apps/scenes/size_effect.prm";
     std::vector<std::string> overrides; ///< of the scene
     std::filesystem::path    folder;
-    std::vector<int>         sizes      = {1, 2, 4, 8}; ///< over that of the scene
-    std::vector<int>         particles  = {1, 2};       ///< of them, beams all of particles beside
-    int                      geometries = 3;            ///< of particles and aggregates, per size
-    int                      calibrated = 2;            ///< size from which alone the others are predicted
-    bool                     smooth     = true;         ///< also beams without a notch
-    bool                     restart    = false;        ///< throw away what the folder holds
-    bool                     quick      = false;        ///< one geometry of sizes 1 and 2, with a notch
+    std::vector<int>         sizes        = {1, 2, 4, 8}; ///< over that of the scene
+    std::vector<int>         particles    = {1, 2};       ///< of them, beams all of particles beside
+    int                      geometries   = 3;            ///< of particles and aggregates, per size
+    int                      calibrated   = 2;            ///< size from which alone the others are predicted
+    bool                     notched_only = false;        ///< no beams without a notch
+    bool                     restart      = false;        ///< throw away what the folder holds
+    bool                     quick        = false;        ///< one geometry of sizes 1 and 2, with a notch
   };
 
   /**

@@ -13,6 +13,7 @@ namespace apps
     std::vector<std::string> overrides; ///< of the scene
     std::filesystem::path    folder;
     bool                     quick = false; ///< fewer wavelengths
+    bool                     beam  = false; ///< `breccia bench structure` after it, into the same folder
   };
 
   /**

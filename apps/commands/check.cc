@@ -101,12 +101,13 @@ namespace apps
     int check(const CheckOptions &options)
     {
       use_threads(options.threads);
-      if (is_of_kind(options.scene, "study"))
+      const FileOf kind = kind_of_file(options.scene);
+      if (kind == FileOf::study)
         {
           refuse_ranks(options, "study");
           return check_study(options);
         }
-      if (is_of_kind(options.scene, "calibration"))
+      if (kind == FileOf::calibration)
         {
           refuse_ranks(options, "calibration");
           return check_calibration(options);

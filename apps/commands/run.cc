@@ -43,10 +43,9 @@ namespace apps
 
     int run(const RunOptions &options)
     {
-      if (is_of_kind(options.scene, "study"))
-        return run_study_file(study_command(options));
-      if (is_of_kind(options.scene, "calibration"))
-        return run_calibration_file(study_command(options));
+      if (const FileOf kind = kind_of_file(options.scene); kind != FileOf::scene)
+        return kind == FileOf::study ? run_study_file(study_command(options)) :
+                                       run_calibration_file(study_command(options));
       use_threads(options.threads);
       std::vector<std::string> overrides = options.overrides;
       if (!options.output_folder.empty())

@@ -193,12 +193,14 @@ namespace apps
     }
   } // namespace
 
-  bool is_of_kind(const std::string &file, const std::string &kind)
+  FileOf kind_of_file(const std::string &file)
   {
     for (const Assignment &assignment : read_parameter_file(file))
       if (assignment.sections.empty() && same_name(assignment.entry, "Kind"))
-        return same_name(assignment.value, kind);
-    return false;
+        return same_name(assignment.value, "study")       ? FileOf::study :
+               same_name(assignment.value, "calibration") ? FileOf::calibration :
+                                                            FileOf::scene;
+    return FileOf::scene;
   }
 
   std::unique_ptr<StudyFile> declare_study()

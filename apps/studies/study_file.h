@@ -56,8 +56,15 @@ namespace apps
     std::unique_ptr<Section>  root;
   };
 
-  /** Whether a parameter file says of itself that it is of that kind, "study": check asks. */
-  bool is_of_kind(const std::string &file, const std::string &kind);
+  enum class FileOf
+  {
+    scene, ///< of whatever kind
+    study,
+    calibration
+  };
+
+  /** What a parameter file says of itself by its entry Kind. */
+  FileOf kind_of_file(const std::string &file);
 
   /** With its sections declared and no file read. */
   std::unique_ptr<StudyFile> declare_study();

@@ -54,9 +54,9 @@ TEST_CASE("every shipped study and calibration is read with the scenes of all it
     {
       const std::string file = entry.path().string();
       INFO(file);
-      if (apps::is_of_kind(file, "study"))
+      if (apps::kind_of_file(file) == apps::FileOf::study)
         CHECK(apps::plan_of(*apps::read_study(file, {})).changes.size() >= 5);
-      else if (apps::is_of_kind(file, "calibration"))
+      else if (apps::kind_of_file(file) == apps::FileOf::calibration)
         CHECK(apps::CalibrationRuns(*apps::read_calibration(file, {}), nowhere).runs_of_a_set() > 0);
       else
         CHECK_NOTHROW(apps::read_scene(file, {}));
