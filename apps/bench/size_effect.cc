@@ -3,6 +3,7 @@
 #include "apps/bench/results.h"
 #include "apps/bench/scene_variant.h"
 #include "apps/bench/size_effect_report.h"
+#include "apps/process/exit_status.h"
 #include "apps/process/mpi_session.h"
 
 #include <fmt/format.h>
@@ -71,6 +72,32 @@ namespace apps
         kept ? ", as the folder has it" : "");
       std::fflush(stdout);
     }
+    void work_off(const SizeEffectBench       &bench,
+                  const StructureModel        &one,
+                  const std::vector<BeamCase> &cases,
+                  const StudyJournal          &journal)
+    {
+      for (std::size_t run = bench.part - 1; run < cases.size(); run += bench.parts)
+        {
+          const std::optional<RunRecord> kept = journal.find(static_cast<Eigen::Index>(run));
+          const BrokenBeam               beam = kept ?
+                                                  BrokenBeam::read(cases[run], *kept) :
+                                                  broken(scene_of_beam(bench.scene, bench.overrides, one, cases[run]), cases[run]);
+          if (!kept)
+            journal.keep(static_cast<Eigen::Index>(run), beam.record());
+          say(beam, kept.has_value());
+        }
+    }
+
+    /** Of all parts. */
+    std::vector<BrokenBeam> kept_beams(const std::vector<BeamCase> &cases, const StudyJournal &journal)
+    {
+      std::vector<BrokenBeam> all;
+      for (std::size_t run = 0; run < cases.size(); ++run)
+        if (const std::optional<RunRecord> kept = journal.find(static_cast<Eigen::Index>(run)))
+          all.push_back(BrokenBeam::read(cases[run], *kept));
+      return all;
+    }
   } // namespace
 
   int run_size_effect_bench(const SizeEffectBench &asked)
@@ -89,18 +116,16 @@ namespace apps
     demand_scene(bench, scene, one);
     const std::vector<BeamCase> cases = cases_of(bench);
     const BenchResults          results(bench.folder, "size_effect");
-    const StudyJournal          journal(bench.folder, plan_of(bench, one, cases), 1, 1, bench.restart);
-    std::vector<BrokenBeam>     all;
-    for (std::size_t run = 0; run < cases.size(); ++run)
+    const StudyJournal journal(bench.folder, plan_of(bench, one, cases), bench.part, bench.parts, bench.restart);
+    work_off(bench, one, cases, journal);
+    const std::vector<BrokenBeam> all = kept_beams(cases, journal);
+    if (all.size() < cases.size())
       {
-        const std::optional<RunRecord> kept = journal.find(static_cast<Eigen::Index>(run));
-        all.push_back(kept ? BrokenBeam::read(cases[run], *kept) :
-                             broken(scene_of_beam(bench.scene, bench.overrides, one, cases[run]), cases[run]));
-        if (!kept)
-          journal.keep(static_cast<Eigen::Index>(run), all.back().record());
-        say(all.back(), kept.has_value());
-        results.write(csv_of_beams(all), "");
+        fmt::print("{} of {} beams are there; the part that is done last writes the table.\n", all.size(),
+                   cases.size());
+        return exit_success;
       }
+    const FolderLock       alone  = journal.lock_of_all_parts();
     const SizeEffectAnswer answer = size_effect_answer(all, bench.calibrated, young_of(one));
     const std::string      table  = table_of_sizes(all, answer);
     results.write(csv_of_beams(all), table);

@@ -18,7 +18,8 @@ namespace apps
     int                      calibrated   = 2;            ///< size from which alone the others are predicted
     bool                     notched_only = false;        ///< no beams without a notch
     bool                     restart      = false;        ///< throw away what the folder holds
-    bool                     quick        = false;        ///< one geometry of sizes 1 and 2, with a notch
+    int                      part = 1, parts = 1;         ///< of processes that share the folder: every parts-th beam
+    bool                     quick = false;               ///< one geometry of sizes 1 and 2, with a notch
   };
 
   /**
@@ -26,8 +27,8 @@ namespace apps
    * effect, and predicted from one size alone (doc/theory/size-effect.md). The scene is of kind structure, with the names of sections that
    * apps/scenes/size_effect.prm has.
    *
-   * Beams that the folder holds from an interrupted bench are not broken again. Written after every beam to size_effect.csv, at the end to
-   * size_effect.md and size_effect.png.
+   * Beams that the folder holds, from an interrupted bench or from another part, are not broken again. Once all are there, they are written to
+   * size_effect.csv, .md and .png.
    * @return exit status. @throws base::InputError, postprocess::OutputError
    */
   int run_size_effect_bench(const SizeEffectBench &bench);

@@ -18,20 +18,26 @@ namespace apps
   {
     /** Shape of the beams, over their depth. */
     constexpr double length = 3, span = 2.5;
-    /** Of a smooth beam, from mid-span: where the elastic stress of the lower face is 80 % of the largest, 0.2 of half the span. */
-    constexpr double half_of_smooth_core = 0.2 * 0.5 * span;
+    /** Of a smooth beam, from mid-span: where the elastic stress of the lower face is 60 % of the largest, 0.4 of half the span. */
+    constexpr double half_of_smooth_core = 0.4 * 0.5 * span;
     /** Load over the peak at which a beam has shown its strength. */
     constexpr double peak_is_past = 0.7;
 
-    std::string triple(const double x, const double y, const double z)
-    {
-      return fmt::format("{:.9g}, {:.9g}, {:.9g}", x, y, z);
-    }
-
-    /** Entries of one beam, put down one after the other. */
+    /** Entries of one beam, put down one after the other. In space z is up, in the plane y. */
     class Entries
     {
     public:
+      explicit Entries(const int dimension)
+        : plane(dimension == 2)
+      {
+      }
+      const char *up() const { return plane ? "y" : "z"; }
+      /** A place or lengths: along the beam, across it, upwards. */
+      std::string at(const double along, const double across, const double upwards) const
+      {
+        return plane ? fmt::format("{:.9g}, {:.9g}, {:.9g}", along, upwards, across) :
+                       fmt::format("{:.9g}, {:.9g}, {:.9g}", along, across, upwards);
+      }
       void set(const std::string &entry, const std::string &value) { all.push_back(entry + "=" + value); }
       void set(const std::string &entry, const double value) { set(entry, fmt::format("{:.9g}", value)); }
       void box(const std::string &section, const std::string &low, const std::string &high)
@@ -41,12 +47,15 @@ namespace apps
         set(section + "/Upper", high);
       }
       std::vector<std::string> all;
+
+    private:
+      bool plane;
     };
 
     struct BeamShape
     {
       double depth, width, middle, notch;
-      double element, half_core;
+      double half_core;
 
       double support(const double side) const { return middle + 0.5 * side * span * depth; }
     };
@@ -59,7 +68,6 @@ namespace apps
       shape.width     = one.bending_test.width;
       shape.middle    = 0.5 * length * shape.depth;
       shape.notch     = beam.notched ? notch_of_beams * shape.depth : 0;
-      shape.element   = shape.depth / 4;
       shape.half_core = 0.5 * (core.high[0] - core.low[0]);
       if (!beam.notched)
         shape.half_core = std::max(shape.half_core, half_of_smooth_core * shape.depth);
@@ -72,31 +80,46 @@ namespace apps
                        high = 4e-3; // half its width, and how far groups reach
       const double top      = std::max(s.notch, high);
       if (s.notch > 0)
-        entries.box("Voids/notch", triple(s.middle - slit, -1, -1), triple(s.middle + slit, 1, s.notch));
+        entries.box("Voids/notch", entries.at(s.middle - slit, -1, -1), entries.at(s.middle + slit, 1, s.notch));
       else
-        entries.box("Voids/notch", triple(-2, -2, -2), triple(-1, -1, -1)); // beside the beam
-      entries.box("Groups/left lip", triple(s.middle - slit - lip, -1, top - high), triple(s.middle - slit, 1, top));
-      entries.box("Groups/right lip", triple(s.middle + slit, -1, top - high), triple(s.middle + slit + lip, 1, top));
-      entries.box("Groups/load", triple(s.middle - foot, -1, s.depth - foot), triple(s.middle + foot, 1, s.depth + 1));
+        entries.box("Voids/notch", entries.at(-2, -2, -2), entries.at(-1, -1, -1)); // beside the beam
+      entries.box("Groups/left lip", entries.at(s.middle - slit - lip, -1, top - high),
+                  entries.at(s.middle - slit, 1, top));
+      entries.box("Groups/right lip", entries.at(s.middle + slit, -1, top - high),
+                  entries.at(s.middle + slit + lip, 1, top));
+      entries.box("Groups/load", entries.at(s.middle - foot, -1, s.depth - foot),
+                  entries.at(s.middle + foot, 1, s.depth + 1));
     }
 
     constexpr std::array sides = {std::pair{"left support", -1.0}, std::pair{"right support", 1.0}};
 
-    /** Where elements stand on: a line of nodes. */
-    void put_solid(Entries &entries, const BeamShape &s)
+    /** Elements as large as those of the smallest, so that they fit the core, on a line of nodes each side. */
+    void put_solid(Entries &entries, const BeamShape &s, const StructureModel &one, const int size)
     {
-      const double L = length * s.depth;
-      entries.set("Continuum/Mesh/Box/Size", triple(L, s.width, s.depth));
-      entries.set("Continuum/Mesh/Box/Divisions x", std::round(L / s.element));
-      entries.set("Continuum/Mesh/Box/Divisions z", std::round(s.depth / s.element));
-      entries.set("Handshakes/core/Low", triple(s.middle - s.half_core, -1, -1));
-      entries.set("Handshakes/core/High", triple(s.middle + s.half_core, 1, s.depth + 1));
+      const auto &divisions = one.continuum.mesh.box_divisions;
+      entries.set("Continuum/Mesh/Box/Size", entries.at(length * s.depth, s.width, s.depth));
+      entries.set("Continuum/Mesh/Box/Divisions x", static_cast<double>(size * divisions[0]));
+      entries.set(std::string("Continuum/Mesh/Box/Divisions ") + entries.up(),
+                  static_cast<double>(size * divisions[one.dimension == 2 ? 1 : 2]));
+      entries.set("Handshakes/core/Low", entries.at(s.middle - s.half_core, -1, -1));
+      entries.set("Handshakes/core/High", entries.at(s.middle + s.half_core, 1, s.depth + 1));
       for (const auto &[name, side] : sides)
         {
           const std::string support = std::string("Continuum/Supports/") + name;
-          entries.set(support + "/From", triple(s.support(side), 0, 0));
-          entries.set(support + "/To", triple(s.support(side), s.width, 0));
+          entries.set(support + "/From", entries.at(s.support(side), 0, 0));
+          if (one.dimension == 3)
+            entries.set(support + "/To", entries.at(s.support(side), s.width, 0));
         }
+    }
+
+    /** Another packing and other places of aggregates for each geometry. */
+    void put_particles(Entries &entries, const BeamShape &s, const StructureModel &one, const int geometry)
+    {
+      const bool grown = one.source.source == SpecimenSection::Source::genesis;
+      entries.set(grown ? "Specimen/Genesis/Size" : "Specimen/Box size",
+                  entries.at(length * s.depth, s.width, s.depth));
+      entries.set(grown ? "Specimen/Genesis/Seed" : "Specimen/Generator/Seed", geometry);
+      entries.set("Specimen/Mix/Seed", geometry);
     }
 
     /** Where particles do: a row of them, as narrow as finds one in each place across. */
@@ -104,10 +127,15 @@ namespace apps
     {
       for (const auto &[name, side] : sides)
         {
-          entries.box(std::string("Groups/") + name, triple(s.support(side) - 1.5 * radius, -1, -1),
-                      triple(s.support(side) + 1.5 * radius, 1, 2.5 * radius));
-          entries.set(std::string("Supports/") + name + "/Displacement z", "0");
+          entries.box(std::string("Groups/") + name, entries.at(s.support(side) - 1.5 * radius, -1, -1),
+                      entries.at(s.support(side) + 1.5 * radius, 1, 2.5 * radius));
+          entries.set(std::string("Supports/") + name + "/Displacement " + entries.up(), "0");
         }
+    }
+
+    double radius_of(const SpecimenSection &source)
+    {
+      return source.source == SpecimenSection::Source::genesis ? source.genesis.mean_radius : source.generator.radius;
     }
 
     /** The same beam without elements. */
@@ -135,11 +163,12 @@ namespace apps
       const dem::Packing          packing = model.packing(&cell);
       const ParticleMedia         media   = model.media(cell);
       Promotion                   promotion(model, packing, media);
+      const std::string           up       = Entries(model.dimension).up();
       const auto                  columns  = promotion.structure().columns();
       const auto                  reaction = std::find_if(columns.begin(), columns.end(),
-                                                          [](const auto &column) { return column.name == "reaction_load_z"; });
+                                                          [&up](const auto &column) { return column.name == "reaction_load_" + up; });
       if (reaction == columns.end())
-        refuse_scene(checked, "Groups/load: this bench needs it driven along z.");
+        refuse_scene(checked, "Groups/load: this bench needs it driven along " + up + ".");
       const auto load = static_cast<std::size_t>(reaction - columns.begin());
       double     peak = 0, last = 0;
       while (!promotion.structure().way().finished())
@@ -214,10 +243,8 @@ namespace apps
   {
     const BeamShape s    = shape_of(one, beam);
     const double    path = s.depth / one.bending_test.depth;
-    Entries         entries;
-    entries.set("Specimen/Box size", triple(length * s.depth, s.width, s.depth));
-    entries.set("Specimen/Generator/Seed", static_cast<double>(beam.geometry));
-    entries.set("Specimen/Mix/Seed", static_cast<double>(beam.geometry));
+    Entries         entries(one.dimension);
+    put_particles(entries, s, one, beam.geometry);
     entries.set("Bending test/Span", span * s.depth);
     entries.set("Bending test/Depth", s.depth);
     entries.set("Bending test/Notch depth", s.notch);
@@ -226,9 +253,9 @@ namespace apps
     if (!beam.whole)
       entries.set("Path/Stop fraction", std::max(one.path.stop_fraction, peak_is_past));
     put_notch(entries, s);
-    put_solid(entries, s);
+    put_solid(entries, s, one, beam.size);
     if (beam.all_particles)
-      put_particle_supports(entries, s, one.source.generator.radius);
+      put_particle_supports(entries, s, radius_of(one.source));
     return SceneVariant{"beam", beam.name(), entries.all}.of(scene, overrides);
   }
 

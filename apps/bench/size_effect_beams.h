@@ -42,8 +42,8 @@ namespace apps
 
   /**
    * The scene of one beam: box, core, notch, supports and path of the scene's smallest, as deep as the case says. Width, particles, aggregates,
-   * elements over the depth and the notch's width stay. The core without a notch reaches to where the elastic stress of the lower face
-   * is 80 % of the largest, if that is further than the scene's (doc/theory/size-effect.md, 6).
+   * elements and the notch's width stay. The core without a notch reaches to where the elastic stress of the lower face
+   * is 60 % of the largest, if that is further than the scene's (doc/theory/size-effect.md, 6).
    * @param scene, overrides as typed @param one model of the smallest beam @throws base::InputError
    */
   CheckedScene scene_of_beam(const std::string              &scene,

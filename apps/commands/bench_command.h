@@ -1,6 +1,7 @@
 #pragma once
 
 #include "apps/commands/command.h"
+#include "apps/commands/part_option.h"
 #include "apps/commands/scene_options.h"
 
 #include <CLI/Validators.hpp>
@@ -75,6 +76,12 @@ namespace apps
                       const std::string         &meaning)
     {
       return *option(name, values, type, meaning).delimiter(',');
+    }
+
+    /** Processes that share the folder. */
+    void part(int Bench::*part, int Bench::*parts, const std::string &meaning)
+    {
+      add_part(command, request->bench.*part, request->bench.*parts, meaning);
     }
 
     void footer(const std::string &text) { command.footer(text); }

@@ -25,6 +25,9 @@ namespace apps
             "Of the sizes, beams all of particles beside; 0: none; default: 1,2")
       .check(CLI::Range(0, 64));
     command.flag("--notched-only", &SizeEffectBench::notched_only, "No beams without a notch");
+    command.part(
+      &SizeEffectBench::part, &SizeEffectBench::parts,
+      "Only the third of forty parts of the beams, for processes that share the folder; the last one writes the table");
     command.flag("--restart", &SizeEffectBench::restart, "Throw away what an interrupted bench has left in the folder");
     command.flag("--quick", &SizeEffectBench::quick, "One geometry of sizes 1 and 2, with a notch");
     command.runs(chosen, run_size_effect_bench);

@@ -64,6 +64,7 @@ set(apps_commands_sources
   commands/point_test.cc
   commands/run.cc
   commands/scene_options.cc
+  commands/part_option.cc
   commands/study.cc
   commands/study_options.cc
   commands/transfer.cc

@@ -1,4 +1,5 @@
 #include "apps/commands/command.h"
+#include "apps/commands/part_option.h"
 #include "apps/commands/scene_options.h"
 #include "apps/commands/study_options.h"
 #include "apps/process/exit_status.h"
@@ -7,25 +8,12 @@
 #include "apps/studies/run_study.h"
 #include "base/errors.h"
 
-#include <fmt/format.h>
-
-#include <cstdio>
 #include <memory>
 
 namespace apps
 {
   namespace
   {
-    void read_part(const std::string &text, StudyOptions &options)
-    {
-      if (text.empty())
-        return;
-      int end = 0;
-      if (std::sscanf(text.c_str(), "%d/%d%n", &options.part, &options.parts, &end) != 2 ||
-          end != static_cast<int>(text.size()) || options.part < 1 || options.part > options.parts)
-        throw base::InputError("command line: --part " + text + ": a part of a whole is wanted, \"3/40\".");
-    }
-
     /** Under mpirun each process takes a part, and one run at a time: the processors are shared already. */
     void take_part_of_ranks(StudyOptions &options)
     {
@@ -53,7 +41,6 @@ namespace apps
   void add_study(CLI::App &program, Action &chosen)
   {
     const auto command = std::make_shared<StudyCommand>();
-    const auto part    = std::make_shared<std::string>();
     CLI::App  &sub =
       *program.add_subcommand("study", "Run a scene with its constants varied by a design, into one table");
     sub.footer("Runs that are done are kept in the folder: whatever ends a study, the same command goes on with the "
@@ -61,18 +48,10 @@ namespace apps
     sub.add_option("study", command->file, "Study file")->required()->type_name("STUDY.prm");
     add_overrides(sub, command->overrides, "Change an entry of the study, -s \"Design/Runs=40\"; repeatable");
     add_study_options(sub, "study", command->folder, command->options);
-    sub
-      .add_option(
-        "--part", *part,
-        "Only the third of forty parts, for jobs of a batch array that share the folder; the last one writes the "
-        "table")
-      ->type_name("3/40");
+    add_part(sub, command->options.part, command->options.parts,
+             "Only the third of forty parts, for jobs of a batch array that share the folder; the last one writes the "
+             "table");
     sub.add_flag("--no-cache", command->options.no_cache, "Make every packing anew");
-    sub.callback([command, part, &chosen] {
-      chosen = [command, part] {
-        read_part(*part, command->options);
-        return run_study_file(*command);
-      };
-    });
+    sub.callback([command, &chosen] { chosen = [command] { return run_study_file(*command); }; });
   }
 } // namespace apps

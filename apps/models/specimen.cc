@@ -23,10 +23,6 @@ namespace apps
     return asked;
   }
 
-  namespace
-  {
-  } // namespace
-
   void SpecimenSection::check(const base::EntryPath &root, const int dimension) const
   {
     const base::EntryPath section = root.at("Specimen");
@@ -34,7 +30,11 @@ namespace apps
       section.refuse("File",
                      "there is no such file (" + std::filesystem::absolute(file).lexically_normal().string() + ").");
     if (source == Source::genesis)
-      genesis.check(section, dimension);
+      {
+        genesis.check(section, dimension);
+        if (body == Body::cell)
+          section.refuse("Body", "a grown packing has faces: a periodic cell comes from the generator or a file.");
+      }
     if (source != Source::generator)
       return;
     if (generator.cell_count > 0 && generator.cell_count < 8)
@@ -47,7 +47,10 @@ namespace apps
     if (dimension == 2)
       section.refuse(
         "Source",
-        "the generator packs spheres, and Physics/Dimension is 2 or Particles = discs. Read the discs from a file.");
+        std::string(
+          "the generator packs spheres, and Physics/Dimension is 2 or Particles = discs. Read the discs from a "
+          "file") +
+          (may_grow ? ", or grow them: Source = genesis." : "."));
     if (body == Body::cell)
       return;
     for (const double edge : box)

@@ -64,11 +64,13 @@ namespace apps
     struct Use
     {
       bool inertia = true, box = true, cell = false;
+      bool genesis         = false; ///< particles may be grown into a vessel
       bool other_particles = false; ///< the scene may have particles from elsewhere, and its law need not bond them
     };
 
-    Source                              source = Source::generator;
-    Body                                body   = Body::box;
+    Source                              source   = Source::generator;
+    bool                                may_grow = false; ///< the kind of scene has Source = genesis
+    Body                                body     = Body::box;
     std::string                         file;
     std::optional<base::LengthUnit>     length_unit; ///< of the file; empty: as it says itself
     Generator                           generator;

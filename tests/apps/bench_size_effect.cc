@@ -1,6 +1,9 @@
 // Laws of size effect, and the bench that fits them to beams of one shape.
+#include "apps/bench/scene_variant.h"
 #include "apps/bench/size_effect_answer.h"
+#include "apps/bench/size_effect_beams.h"
 #include "apps/bench/size_effect_universal.h"
+#include "apps/process/mpi_session.h"
 #include "base/errors.h"
 #include "tests/apps/program.h"
 #include "tests/apps/scratch_folder.h"
@@ -252,6 +255,57 @@ TEST_CASE("beams that a folder holds are read as they were written", "[apps][mes
   CHECK(again.shared == 0.01);
   CHECK(again.cost == 12.5);
   CHECK(again.of.name() == "size 2, geometry 3, without notch, all particles");
+}
+
+TEST_CASE("beams of all sizes have the elements of the smallest, and their cores are whole numbers of these",
+          "[apps][mesoscale]")
+{
+  apps::start_mpi();
+  for (const char *const name : {"size_effect.prm", "size_effect_plane.prm"})
+    {
+      const std::string           path  = places::sources() + "/apps/scenes/" + name;
+      const apps::CheckedScene    scene = apps::read_scene(path, {});
+      const apps::StructureModel &one   = apps::model_of_kind<apps::StructureModel>(scene, "structure");
+      const auto                  edge  = [](const apps::StructureModel &model, const int axis) {
+        return model.continuum.mesh.box_size[axis] / static_cast<double>(model.continuum.mesh.box_divisions[axis]);
+      };
+      const int up = one.dimension - 1;
+      for (const int size : {1, 2, 4, 8})
+        for (const bool notched : {true, false})
+          {
+            INFO(name << ", size " << size << ", notch " << notched);
+            const apps::CheckedScene    checked = apps::scene_of_beam(path, {}, one, {size, 1, notched, false, false});
+            const apps::StructureModel &beam    = apps::model_of_kind<apps::StructureModel>(checked, "structure");
+            CHECK_THAT(edge(beam, 0), WithinRel(edge(one, 0), 1e-12));
+            CHECK_THAT(edge(beam, up), WithinRel(edge(one, up), 1e-12));
+            CHECK_THAT(beam.continuum.mesh.box_size[up], WithinRel(0.02 * size, 1e-12));
+            const auto  &core  = beam.handshakes.handshakes.front();
+            const double whole = (core.high[0] - core.low[0]) / edge(beam, 0), low = core.low[0] / edge(beam, 0);
+            CHECK(whole > 2);
+            CHECK_THAT(whole, WithinRel(std::round(whole), 1e-9));
+            CHECK_THAT(low, WithinRel(std::round(low), 1e-9));
+          }
+    }
+}
+
+TEST_CASE("a beam of elements around grown discs bears what the beam all of discs does until it cracks",
+          "[apps][mesoscale]")
+{
+  apps::start_mpi();
+  const std::string              path = places::sources() + "/apps/scenes/size_effect_plane.prm";
+  const std::vector<std::string> until{"Path/End=4e-6"}; // a seventh of the deflection at the peak
+  const apps::CheckedScene       scene = apps::read_scene(path, until);
+  const apps::StructureModel    &one   = apps::model_of_kind<apps::StructureModel>(scene, "structure");
+  double                         strength[2];
+  for (const bool alone : {false, true})
+    {
+      const apps::BeamCase   beam{1, 1, true, alone, false};
+      const apps::BrokenBeam found = apps::broken(apps::scene_of_beam(path, until, one, beam), beam);
+      strength[alone]              = found.strength;
+      CHECK(found.left > 0.999); // still rising
+      CHECK(found.balance < 1e-3);
+    }
+  CHECK_THAT(strength[0], WithinRel(strength[1], 0.05));
 }
 
 TEST_CASE("bench size-effect refuses a scene without a bending test, and a size that it does not run",

@@ -7,6 +7,7 @@
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <csignal>
 #include <sstream>
@@ -144,4 +145,47 @@ TEST_CASE("a quasi-static scene refuses what it cannot load", "[apps][S14]")
   refused("Loading/Tension/Strain step=0.5", "Stop strain");
   refused("Solver/Growth step=2", "Growth step");
   CHECK_FALSE(std::filesystem::exists(folder / "out"));
+}
+
+TEST_CASE("discs grown into a box are pulled as the same discs are that a file holds", "[apps]")
+{
+  const ScratchFolder folder;
+  const std::string
+    genesis =
+      "set Source = genesis\n  set Thickness = 0.01\n  subsection Genesis\n    set Size = 0.02, 0.02, 0\n"
+      "    set Sizes = uniform\n    set Mean radius = 1e-3\n    set Radius ratio = 1.6\n    set Porosity = 0.14\n"
+      "    set Effective modulus = 25e9\n    set Stress = 0\n  end\n",
+    file          = "set Source = file\n  set File = grown/packing.h5\n  set Thickness = 0.01\n";
+  const auto with = [](const std::string &source) {
+    return "set Kind = quasi_static\nsubsection Physics\n  set Dimension = 2\nend\nsubsection Specimen\n  set "
+           "Interaction ratio = 1.4\n"
+           "  set Loose pieces = drop\n  " +
+           source +
+           "end\nsubsection Material\n  set Law = CPM\n  subsection CPM\n    set Normal modulus = 25e9\n    set Shear "
+           "ratio = 0.2\n"
+           "    set Limit elastic strain = 1e-4\n    set Relative ductility = 30\n    set Cohesion = 3e6\n    set "
+           "Friction coefficient = 0.8\n"
+           "  end\nend\nsubsection Loading\n  set Tests = tension\n  set Axis = y\n  set Grip thickness = 0.003\n  "
+           "subsection Tension\n"
+           "    set Strain step = 5e-6\n    set Stop strain = 4e-5\n  end\nend\n";
+  };
+  folder.file("grown.prm", with(genesis));
+  folder.file("read.prm", with(file));
+  for (const char *name : {"grown", "read"})
+    {
+      const Outcome outcome = run(folder.path(), {"run", std::string(name) + ".prm", "-o", name});
+      INFO(outcome.err);
+      REQUIRE(outcome.status == 0);
+    }
+  const std::string grown = content_of(folder / "grown/series.csv");
+  CHECK(std::count(grown.begin(), grown.end(), '\n') > 8);
+  CHECK(grown == content_of(folder / "read/series.csv"));
+  const auto summary = nlohmann::json::parse(content_of(folder / "grown/summary.json"));
+  CHECK(summary["energy"]["balance_error"].get<double>() < 1e-3);
+
+  const Outcome cell = run(folder.path(), {"check", "grown.prm", "-s", "Specimen/Body=cell"});
+  CHECK(cell.status == 2);
+  CHECK_THAT(cell.err, Contains("Specimen/Body") && Contains("a grown packing has faces"));
+  const Outcome polygons = run(folder.path(), {"check", "grown.prm", "-s", "Specimen/Genesis/Aggregates/Content=0.3"});
+  CHECK(polygons.status == 2);
 }

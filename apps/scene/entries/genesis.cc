@@ -114,7 +114,7 @@ namespace apps
       .means("Section in Materials, of their pebbles");
   }
 
-  void declare(Section &specimen, GenesisSection &genesis, const int &, const std::function<bool()> &chosen)
+  void declare(Section &specimen, GenesisSection &genesis, const std::function<bool()> &chosen, const bool rigid_bodies)
   {
     genesis.growth.material.contact.friction_coefficient = 0.1;
     Section &section                                     = specimen.section(
@@ -137,6 +137,7 @@ namespace apps
     section.integer("Seed", genesis.seed, "", Range::between(0, 9007199254740992.0), Need::optional)
       .means("Another seed gives another packing; the same seed the same packing");
     declare_growth(section, genesis.growth);
-    declare(section, genesis.aggregates);
+    if (rigid_bodies)
+      declare(section, genesis.aggregates);
   }
 } // namespace apps

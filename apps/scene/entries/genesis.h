@@ -7,6 +7,6 @@ namespace apps
   class Section;
 
   void declare(Section &genesis, AggregatesSection &aggregates);
-  /** @param chosen whether the scene asks for it */
-  void declare(Section &specimen, GenesisSection &genesis, const int &dimension, const std::function<bool()> &chosen);
+  /** @param chosen whether the scene grows its particles @param rigid_bodies whether the scene can move polygons of particles */
+  void declare(Section &specimen, GenesisSection &genesis, const std::function<bool()> &chosen, bool rigid_bodies);
 } // namespace apps

@@ -46,6 +46,23 @@ namespace apps
             "mould; in one piece whatever its size");
       return inner;
     }
+
+    void declare_source(Section &section, SpecimenSection::Source &source, const SpecimenSection::Use &use)
+    {
+      using Source              = SpecimenSection::Source;
+      const char *const made    = "generator: compact a random packing, tile and crop it; file: read a packing";
+      const char *const grown   = "; genesis: grow particles of given sizes into a vessel";
+      const char *const without = "; none: there are only those of section More particles";
+      const std::pair<const char *, Source> generator{"generator", Source::generator}, file{"file", Source::file},
+        genesis{"genesis", Source::genesis}, none{"none", Source::none};
+      if (use.other_particles)
+        section.choice("Source", source, {generator, file, genesis, none}, Need::required)
+          .means(std::string(made) + grown + without);
+      else if (use.genesis)
+        section.choice("Source", source, {generator, file, genesis}, Need::required).means(std::string(made) + grown);
+      else
+        section.choice("Source", source, {generator, file}, Need::required).means(made);
+    }
   } // namespace
 
   void declare(Section &root, SpecimenSection &specimen, const int &dimension)
@@ -60,24 +77,11 @@ namespace apps
     using Body        = SpecimenSection::Body;
     const auto boxed  = [&specimen] { return specimen.source == Source::generator && specimen.body == Body::box; };
     specimen.body     = use.box ? Body::box : Body::cell;
+    specimen.may_grow = use.genesis;
     const auto read   = [&specimen] { return specimen.source == Source::file; };
 
     Section &section = root.section("Specimen", "The particles: where they come from, and what is made of them");
-    if (use.other_particles)
-      section
-        .choice("Source", specimen.source,
-                {{"generator", Source::generator},
-                 {"file", Source::file},
-                 {"genesis", Source::genesis},
-                 {"none", Source::none}},
-                Need::required)
-        .means(
-          "generator: compact a random packing, tile and crop it; file: read a packing; genesis: grow particles of "
-          "given sizes into a vessel; none: there are only those of section More particles");
-    else
-      section
-        .choice("Source", specimen.source, {{"generator", Source::generator}, {"file", Source::file}}, Need::required)
-        .means("generator: compact a random packing, tile and crop it; file: read a packing");
+    declare_source(section, specimen.source, use);
     section.file("File", specimen.file)
       .means(
         "Packing: HDF5, or text with a line \"x y z radius\" [m] per particle; a header may name other columns and "
@@ -130,7 +134,8 @@ namespace apps
       .only_if([&dimension] { return dimension == 2; }, "Physics/Dimension = 2");
     declare_generator(section, specimen.generator, use.box)
       .only_if([&specimen] { return specimen.source == Source::generator; }, "Specimen/Source = generator");
-    if (use.other_particles)
-      declare(section, specimen.genesis, dimension, [&specimen] { return specimen.source == Source::genesis; });
+    if (use.genesis)
+      declare(
+        section, specimen.genesis, [&specimen] { return specimen.source == Source::genesis; }, use.other_particles);
   }
 } // namespace apps

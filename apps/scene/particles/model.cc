@@ -61,7 +61,7 @@ namespace apps
   void declare_as_part(Section &root, ParticlesModel &model)
   {
     SpecimenSection::Use use;
-    use.other_particles = true;
+    use.genesis = use.other_particles = true;
     declare(root, model.source, model.physics.dimension, use);
     declare(*root.find_section("Specimen"), model.mix);
     declare(root, model.more);

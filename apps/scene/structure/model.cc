@@ -102,6 +102,7 @@ namespace apps
   {
     SpecimenSection::Use use;
     use.inertia = false;
+    use.genesis = true;
     declare(root, model.source, model.dimension, use);
     declare(*root.find_section("Specimen"), model.mix);
     declare(root, model.material, use.inertia);
