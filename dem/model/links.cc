@@ -133,7 +133,8 @@ namespace dem
     if (moments_apart)
       moment.assign(half_record_size * lines, 0.0);
     accounts.resize(std::max<std::size_t>(lines / links_per_block, 1));
-    streams = sizeof(double) * force.size() > last_level_cache();
+    streams       = sizeof(double) * force.size() > last_level_cache();
+    fetches_ahead = sizeof(double) * force.size() > own_cache();
   }
 
   std::pair<std::ptrdiff_t, std::ptrdiff_t> LinkSet::parts_between(const LinkLines &lines) const
