@@ -1,6 +1,7 @@
 #include "apps/scene/quasi_static/model.h"
 
 #include "apps/scene/entries/grips.h"
+#include "apps/scene/entries/joints.h"
 #include "apps/scene/entries/material.h"
 #include "apps/scene/entries/mix.h"
 #include "apps/scene/entries/physics.h"
@@ -62,6 +63,7 @@ namespace apps
     use.cell    = true;
     declare(root, model.source, model.dimension, use);
     declare(*root.find_section("Specimen"), model.mix);
+    declare(root, model.joints);
     declare(root, model.material, use.inertia);
 
     declare_static_physics(root, model.dimension, model.rotations);
