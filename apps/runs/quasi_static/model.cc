@@ -1,5 +1,7 @@
 #include "apps/runs/quasi_static/model.h"
 
+#include "dem/network/turning_grips.h"
+
 namespace apps
 {
   void QuasiStaticModel::check(const base::EntryPath &root) const
@@ -17,6 +19,8 @@ namespace apps
       loading.refuse("Axis", "in two dimensions the specimen lies in the plane z = 0. Load it along x or y.");
     if (!is_cell())
       grips.check(loading);
+    if (!is_cell() && grips_turn && !lateral_blocked)
+      loading.refuse("Grips turn", "the specimen would fall over: set Lateral motion blocked = true.");
     for (const UniaxialLoad load : tests)
       if (const auto way = steps(load); way.end_strain < way.strain_step)
         loading.at(load == UniaxialLoad::tension ? "Tension" : "Compression")
@@ -61,6 +65,9 @@ namespace apps
     pair.layers          = grip_layers(jointed.packing());
     dem::Packing free    = jointed.packing();
     free.periodic_cell.reset();
-    return dem::load_grips(dem::make_network(free, links, materials(jointed)), pair);
+    dem::LoadedNetwork loaded = dem::load_grips(dem::make_network(free, links, materials(jointed)), pair);
+    if (grips_turn)
+      dem::let_grips_turn(loaded, pair);
+    return loaded;
   }
 } // namespace apps

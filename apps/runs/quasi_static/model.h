@@ -31,7 +31,7 @@ namespace apps
     std::vector<UniaxialLoad> tests = {UniaxialLoad::tension, UniaxialLoad::compression};
     int                       axis  = 2;
     GripEntries               grips; ///< of a specimen with ends
-    bool                      lateral_blocked = false, spin_blocked = false;
+    bool                      lateral_blocked = false, spin_blocked = false, grips_turn = false;
     Test                      tension{1e-5, 0.2, 1e-3}, compression{5e-5, 0.7, 5e-3};
     double                    growth_step = 0.2, tolerance = 1e-7, damping = 0.7;
     std::int64_t              snapshot_interval   = 20; ///< points; enough to see a crack grow

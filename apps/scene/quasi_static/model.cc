@@ -51,6 +51,10 @@ namespace apps
       section.flag("Grip rotation blocked", model.spin_blocked)
         .means("Grips keep their particles from spinning")
         .only_if(gripped, "Specimen/Body = box");
+      section.flag("Grips turn", model.grips_turn)
+        .means("Each grip turns about its middle, as a platen on a spherical seat; otherwise both stay parallel. Their "
+               "particles are held sideways then")
+        .only_if(gripped, "Specimen/Body = box");
       declare_test(section, model, UniaxialLoad::tension);
       declare_test(section, model, UniaxialLoad::compression);
     }
