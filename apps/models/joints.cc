@@ -1,5 +1,6 @@
 #include "apps/models/joints.h"
 
+#include "apps/text/nearest_name.h"
 #include "base/errors.h"
 #include "dem/joints/joint_network.h"
 
@@ -48,29 +49,73 @@ namespace apps
     }
   } // namespace
 
-  void JointSection::check(const base::EntryPath &specimen, const int dimension) const
+  namespace
+  {
+    void check_joint_law(const base::EntryPath &section, const dem::SmoothJointParameters &law)
+    {
+      try
+        {
+          dem::SmoothJointLaw::check(law);
+        }
+      catch (const base::InputError &refusal)
+        {
+          section.refuse_within(refusal.what());
+        }
+    }
+
+    const JointMaterial *joint_material(const std::list<JointMaterial> &materials, const std::string &name)
+    {
+      const auto place = std::find_if(materials.begin(), materials.end(),
+                                      [&name](const JointMaterial &each) { return each.name == name; });
+      return place == materials.end() ? nullptr : &*place;
+    }
+
+    std::vector<std::string> joint_material_names(const std::list<JointMaterial> &materials)
+    {
+      std::vector<std::string> names;
+      for (const JointMaterial &each : materials)
+        names.push_back(each.name);
+      return names;
+    }
+
+    void check_joint_corners(const base::EntryPath &section, const JointSet &set, const int dimension)
+    {
+      if (set.shape != JointSet::Shape::corners)
+        return;
+      try
+        {
+          between_corners(set.corners, dimension);
+        }
+      catch (const base::InputError &refusal)
+        {
+          section.refuse("Corners", refusal.what());
+        }
+    }
+  } // namespace
+
+  const dem::SmoothJointParameters &JointSection::law_of(const JointSet &set) const
+  {
+    return set.material.empty() ? set.law : joint_material(materials, set.material)->law;
+  }
+
+  void JointSection::check(const base::EntryPath &root, const int dimension) const
   {
     for (const JointSet &each : sets)
       {
-        const base::EntryPath section = specimen.at("Joints").at(each.name);
-        try
-          {
-            dem::SmoothJointLaw::check(each.law);
-          }
-        catch (const base::InputError &refusal)
-          {
-            section.refuse_within(refusal.what());
-          }
-        if (each.shape != JointSet::Shape::corners)
-          continue;
-        try
-          {
-            between_corners(each.corners, dimension);
-          }
-        catch (const base::InputError &refusal)
-          {
-            section.refuse("Corners", refusal.what());
-          }
+        const base::EntryPath section = root.at("Specimen").at("Joints").at(each.name);
+        if (each.material.empty())
+          check_joint_law(section, each.law);
+        else if (joint_material(materials, each.material) == nullptr)
+          section.refuse("Material", "is not in section Joint materials. " +
+                                       did_you_mean_or_known(each.material, joint_material_names(materials)));
+        check_joint_corners(section, each, dimension);
+      }
+    for (const JointMaterial &each : materials)
+      {
+        const base::EntryPath section = root.at("Joint materials").at(each.name);
+        if (std::none_of(sets.begin(), sets.end(), [&each](const JointSet &set) { return set.material == each.name; }))
+          section.refuse("no joint is of this material. Take it out, or name it in Specimen/Joints.");
+        check_joint_law(section, each.law);
       }
   }
 

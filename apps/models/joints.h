@@ -25,6 +25,7 @@ namespace apps
     };
 
     std::string           name;
+    std::string           material; ///< name of a JointMaterial; empty: `law` is its own
     Shape                 shape  = Shape::plane;
     std::array<double, 3> place  = {0, 0, 0};         ///< on the joint, of a disc its centre [m]
     double                radius = 0;                 ///< of discs, or half the length of pieces of a line [m]
@@ -37,14 +38,27 @@ namespace apps
     dem::SmoothJointParameters law;
   };
 
-  /** Sub-section "Joints" of "Specimen": planes of weakness that cut through the particles (doc/theory/smooth-joint.md). */
+  /** Sub-section of "Joint materials": constants that sets of joints share. */
+  struct JointMaterial
+  {
+    std::string                name;
+    dem::SmoothJointParameters law;
+  };
+
+  /**
+   * Sub-section "Joints" of "Specimen": planes of weakness that cut through the particles (doc/theory/smooth-joint.md); and section "Joint
+   * materials", which they may name.
+   */
   struct JointSection
   {
-    std::list<JointSet> sets; ///< in the scene's order; of a link that several cut the first counts
+    std::list<JointSet>      sets; ///< in the scene's order; of a link that several cut the first counts
+    std::list<JointMaterial> materials;
 
     bool given() const { return !sets.empty(); }
-    /** @param specimen section @throws base::InputError naming the entry */
-    void check(const base::EntryPath &specimen, int dimension) const;
+    /** @throws base::InputError naming the entry */
+    void check(const base::EntryPath &root, int dimension) const;
+    /** Constants of a set, its own or those of its material. @pre checked */
+    const dem::SmoothJointParameters &law_of(const JointSet &set) const;
     /** All joints of all sets. @param lower, upper corners of the particles' bounding box [m], which networks fill */
     std::vector<dem::JointPlane>
                     planes(const Eigen::Vector3d &lower, const Eigen::Vector3d &upper, int dimension) const;

@@ -60,7 +60,7 @@ namespace apps
     std::vector<dem::SmoothJointParameters> of_joints;
     for (const dem::CutFigures &joint : figures)
       {
-        of_joints.push_back(joints.set(joint.set).law);
+        of_joints.push_back(joints.law_of(joints.set(joint.set)));
         of_joints.back().plane = joint.normal;
       }
     return of_particles.with_joints(of_joints);

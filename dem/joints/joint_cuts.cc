@@ -71,21 +71,53 @@ namespace dem
       return area + by * around + M_PI * by * by;
     }
 
-    /** Length or area over which links cross a joint. */
-    double
-    crossed(const JointPlane &joint, const std::vector<Vector3d> &crossings, const double skin, const int dimension)
+    /**
+     * Across which axis a joint all through a body is looked at: the one nearest to its normal of those whose ends it stays clear of, so that
+     * it leaves the body at the sides along that axis; none: its own normal.
+     */
+    Vector3d seen_along(const JointPlane            &joint,
+                        const std::vector<Vector3d> &crossings,
+                        const Bounds                &bounds,
+                        const int                    dimension)
     {
-      const Vector3d first =
-        dimension == 2 ? Vector3d(-joint.normal.y(), joint.normal.x(), 0) : joint.normal.unitOrthogonal();
-      const Vector3d        second = joint.normal.cross(first);
+      constexpr double flattest = 0.1; // cosine; below, little is seen of it
+      const double     clear    = 2 * bounds.largest;
+      Vector3d         best     = joint.normal;
+      double           nearest  = flattest;
+      if (joint.radius > 0 || !joint.corners.empty())
+        return best;
+      for (int axis = 0; axis < dimension; ++axis)
+        {
+          const auto ends =
+            std::minmax_element(crossings.begin(), crossings.end(),
+                                [axis](const Vector3d &a, const Vector3d &b) { return a[axis] < b[axis]; });
+          if (std::abs(joint.normal[axis]) > nearest && (*ends.first)[axis] > bounds.lower[axis] + clear &&
+              (*ends.second)[axis] < bounds.upper[axis] - clear)
+            {
+              nearest = std::abs(joint.normal[axis]);
+              best    = Vector3d::Unit(axis);
+            }
+        }
+      return best;
+    }
+
+    /** Length or area over which links cross a joint, whose outermost ones lie inside the surface. */
+    double
+    crossed(const JointPlane &joint, const std::vector<Vector3d> &crossings, const Bounds &bounds, const int dimension)
+    {
+      const double          skin      = radii_to_skin * bounds.mean;
+      const Vector3d        seen      = seen_along(joint, crossings, bounds, dimension);
+      const Vector3d        first     = dimension == 2 ? Vector3d(-seen.y(), seen.x(), 0) : seen.unitOrthogonal();
+      const Vector3d        second    = seen.cross(first);
+      const double          steepness = std::abs(seen.dot(joint.normal)); // area seen over its own
       std::vector<Vector2d> places;
       for (const Vector3d &each : crossings)
         places.emplace_back((each - joint.centre).dot(first), (each - joint.centre).dot(second));
       if (dimension == 3)
-        return widened_hull(std::move(places), skin);
+        return widened_hull(std::move(places), skin) / steepness;
       const auto ends = std::minmax_element(places.begin(), places.end(),
                                             [](const Vector2d &a, const Vector2d &b) { return a.x() < b.x(); });
-      return ends.second->x() - ends.first->x() + 2 * skin;
+      return (ends.second->x() - ends.first->x() + 2 * skin) / steepness;
     }
 
     /** Particles that a joint may pass near. */
@@ -197,7 +229,7 @@ namespace dem
           continue;
         figures.area = (specimen.dimension == 2 ? specimen.thickness : 1.0) *
                        std::min(extent_in_box(joints[j], bounds.lower, bounds.upper, specimen.dimension),
-                                crossed(joints[j], crossings[j], radii_to_skin * bounds.mean, specimen.dimension));
+                                crossed(joints[j], crossings[j], bounds, specimen.dimension));
         share[j] = figures.area / sections[j];
       }
     for (const std::size_t i : order)

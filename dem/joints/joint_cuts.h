@@ -40,7 +40,7 @@ namespace dem
    *
    * The links of a joint share its area within the body, by their own cross-sections (doc/theory/smooth-joint.md, 4). That is the smaller
    * of its area in the bounding box of the particles and of the hull of the places where links cross it, widened by one and a half mean
-   * radii, by which outermost crossings lie inside the surface.
+   * radii, by which outermost crossings lie inside the surface: across the sides at which a joint all through the body ends.
    */
   JointCuts find_cuts(const Packing &packing, const JointedSpecimen &specimen, const std::vector<JointPlane> &joints);
 } // namespace dem

@@ -65,10 +65,11 @@ namespace dem
       step.geometry.reference * ((step.geometry.strain - step.strain_before) * step.direction + step.shear_increment);
     const Vector3d slip   = in_plane * (Vector3d(before.number + smooth_joint::slip) + moved);
     const double   opened = before.number[smooth_joint::opening] + N.dot(moved), size = slip.norm();
-    const bool     bonded = after.number[smooth_joint::mode] < 0.5, closed = bonded || opened < 0;
-    const double   pressed = closed ? k.normal * opened : 0.0;
-    base::Matrix6  all     = base::Matrix6::Zero();
-    auto           force   = all.topLeftCorner<3, 3>();
+    // One that has never been opened nor pressed resists as a closed one: from there a load goes on.
+    const bool    bonded = after.number[smooth_joint::mode] < 0.5, closed = bonded || opened <= 0;
+    const double  pressed = closed ? k.normal * opened : 0.0;
+    base::Matrix6 all     = base::Matrix6::Zero();
+    auto          force   = all.topLeftCorner<3, 3>();
     if (kind.secant)
       {
         const double limit = -k.friction * pressed, shear = k.shear * size;

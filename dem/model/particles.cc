@@ -1,5 +1,6 @@
 #include "dem/model/particles.h"
 
+#include "dem/model/cut_between.h"
 #include "dem/model/materials.h"
 
 #include <algorithm>
@@ -50,14 +51,9 @@ namespace dem
 
   const JointCut *Particles::cut_between(const std::int32_t one, const std::int32_t other) const
   {
-    if (cuts.empty())
-      return nullptr;
-    JointCut   asked;
-    const auto found_as = std::minmax(number[static_cast<std::size_t>(one)], number[static_cast<std::size_t>(other)]);
-    asked.first         = found_as.first;
-    asked.second        = found_as.second;
-    const auto found    = std::lower_bound(cuts.begin(), cuts.end(), asked);
-    return found == cuts.end() || asked < *found ? nullptr : &*found;
+    return cuts.empty() ?
+             nullptr :
+             dem::cut_between(cuts, number[static_cast<std::size_t>(one)], number[static_cast<std::size_t>(other)]);
   }
 
   std::int32_t Particles::pair_of(const std::int32_t one, const std::int32_t other) const

@@ -3,6 +3,7 @@
 #include "base/errors.h"
 #include "base/number_text.h"
 #include "dem/kernels/first_order_shear.h"
+#include "dem/model/cut_between.h"
 #include "dem/model/particles.h"
 #include "dem/neighbours/cell_list.h"
 #include "dem/network/waiting_contacts.h"
@@ -165,12 +166,31 @@ namespace dem
         link.waits ? wait(link, touching) : join(link);
       }
 
+      /** A link across a joint, whose stiffness has the axes of the joint, not its own (doc/theory/smooth-joint.md, 7). */
+      void cut(ElasticLink &link, const double area) const
+      {
+        link.area = link.made.area        = area;
+        const std::vector<double> history = begun(link);
+        LinkStep                  still;
+        still.geometry  = geometry_of(link);
+        still.direction = link.direction;
+        link.stiffness  = area / link.reference *
+                         bonds->tangent(link.pair, still, history.data(), history.data(), {}).topLeftCorner<3, 3>();
+      }
+
     private:
-      void join(ElasticLink &link) const
+      /** @return history of the bond */
+      std::vector<double> begun(ElasticLink &link) const
       {
         std::vector<double> history(bonds->columns().size(), 0.0);
         bonds->begin(link.pair, link.made, history.data());
         link.reference = bonds->reference_length(link.pair, link.made);
+        return history;
+      }
+
+      void join(ElasticLink &link) const
+      {
+        const std::vector<double> history = begun(link);
         put_stiffness(link, bonds->stiffness(link.pair, geometry_of(link), history.data()));
       }
 
@@ -251,9 +271,9 @@ namespace dem
   {
     check_links(p);
     check_materials(packing, materials);
-    if (materials.joints() > 0)
-      throw base::InputError("Joints: they slide on planes of their own, which a network in equilibrium has none of. "
-                             "Leave them to particles in motion.");
+    if (materials.joints() > 0 && p.contact_reach > 0)
+      throw base::InputError(
+        "Joints: contacts that wait are between particles without a joint. Leave one of them out.");
     if (!materials.unbonded_pairs().empty())
       throw base::InputError(
         "Interfaces: materials without bonds between them are for particles in motion; a network in "
@@ -263,6 +283,11 @@ namespace dem
       material.resize(packing.size(), 0);
     const LinkFinisher finisher(p, materials);
     ElasticNetwork     network = network_of(packing, p, [&](ElasticLink &link) {
+      if (const JointCut *cut = cut_between(packing.cuts, link.first, link.second))
+        {
+          link.pair = materials.material_pairs() + cut->joint;
+          return finisher.cut(link, cut->area);
+        }
       if (materials.several())
         link.pair = material_pair(material[link.first], material[link.second]);
       finisher.finish(link);

@@ -95,7 +95,8 @@ namespace dem
   ElasticNetwork make_network(const CellPacking &packing, const NetworkParameters &parameters);
 
   /**
-   * The same of a packing with several materials: moduli are those of the pair that a link joins, in place of the parameters'.
+   * The same of a packing with several materials: moduli are those of the pair that a link joins, in place of the parameters'. Links that
+   * a joint cuts (Packing::cuts) have its area and its law.
    * @throws also for a material of the packing that is not among those given
    */
   ElasticNetwork

@@ -100,6 +100,30 @@ TEST_CASE("a quasi-static run pulls and crushes a specimen, and closes its energ
     }
 }
 
+TEST_CASE("grips of a quasi-static scene turn where they hold sideways, and make an irregular specimen softer",
+          "[apps]")
+{
+  const ScratchFolder folder;
+  folder.file("packing.txt", small_heap());
+  folder.file("x.prm", quasi_static_scene());
+  std::vector<double> modulus;
+  for (const char *turn : {"false", "true"})
+    {
+      const Outcome outcome =
+        run(folder.path(), {"run", "x.prm", "-o", turn, "-s", "Loading/Tests=compression", "-s",
+                            "Loading/Lateral motion blocked=true", "-s", std::string("Loading/Grips turn=") + turn});
+      INFO(outcome.err);
+      REQUIRE(outcome.status == 0);
+      const auto summary = nlohmann::json::parse(content_of(folder / turn / "summary.json"));
+      modulus.push_back(summary["figures"]["young_modulus"]["value"].get<double>());
+    }
+  CHECK(modulus[1] < (1 - 1e-6) * modulus[0]); // one condition less
+  CHECK(modulus[1] > 0.5 * modulus[0]);
+  const Outcome outcome = run(folder.path(), {"check", "x.prm", "-s", "Loading/Grips turn=true"});
+  CHECK(outcome.status == 2);
+  CHECK_THAT(outcome.err, Contains("Loading/Grips turn") && Contains("Lateral motion blocked"));
+}
+
 TEST_CASE("a quasi-static test that ends before its peak has no strength, and says so", "[apps]")
 {
   const ScratchFolder folder;

@@ -3,6 +3,7 @@
 #include "clusters.h"
 #include "dem/joints/joint_cuts.h"
 #include "dem/joints/joint_network.h"
+#include "dem/packing/lattice.h"
 
 #include <Eigen/Geometry>
 #include <catch2/catch.hpp>
@@ -136,6 +137,53 @@ TEST_CASE("of a pair that several joints cut the first one has it", "[dem][joint
   CHECK(cuts.of_joint[0].links == 1);
   CHECK(cuts.of_joint[1].links == 0);
   CHECK(dem::find_cuts(packing, {3, 0, 1.1, 0, 1}, joints).cuts.empty());
+}
+
+TEST_CASE("a joint all through an upright body has the section over the cosine of its dip, however steep it is",
+          "[dem][joints]")
+{
+  const double r        = 1e-3;
+  double       of_round = 0; // section of a cylinder of spheres, whose skin is rough
+  for (const int dimension : {2, 3})
+    for (const double dip : {0.0, 30.0, 50.0, 65.0, 72.0})
+      {
+        INFO(dimension << " dimensions, dip " << dip);
+        dem::Packing body =
+          dem::make_lattice(dimension == 2 ? dem::Lattice::hexagonal : dem::Lattice::face_centred_cubic, r,
+                            dimension == 2 ? std::array<int, 3>{24, 70, 1} : std::array<int, 3>{9, 9, 40});
+        body.periodic_cell.reset();
+        const int    axis = dimension - 1;
+        Vector3d     low = body.centre.front(), high = low, middle = Vector3d::Zero();
+        dem::Packing round; // of the body in space a cylinder
+        for (const Vector3d &each : body.centre)
+          {
+            low = low.cwiseMin(each), high = high.cwiseMax(each);
+            middle += each / static_cast<double>(body.size());
+          }
+        low -= Vector3d::Constant(r), high += Vector3d::Constant(r);
+        const double radius = 0.5 * (high - low).x();
+        for (std::size_t i = 0; i < body.size(); ++i)
+          if ((body.centre[i] - middle).head(axis).norm() <= radius - r)
+            {
+              round.centre.push_back(body.centre[i]);
+              round.radius.push_back(r);
+            }
+        dem::JointPlane plane;
+        plane.centre       = middle;
+        plane.normal       = dem::normal_of_dip(dip, 20, dimension);
+        const auto area_of = [&](const dem::Packing &packing) {
+          return dem::find_cuts(packing, {dimension, 1, 1.1, 0, packing.size()}, {plane}).of_joint[0].area *
+                 std::cos(dip * pi / 180);
+        };
+        const Vector3d edge = high - low;
+        CHECK(area_of(body) == Approx(dimension == 2 ? edge.x() : edge.x() * edge.y()).epsilon(0.03));
+        if (dimension == 3)
+          {
+            of_round = dip == 0 ? area_of(round) : of_round;
+            CHECK(area_of(round) ==
+                  Approx(of_round).epsilon(0.05)); // another section of a lattice is rough in another way
+          }
+      }
 }
 
 TEST_CASE("random joints come to the intensity asked, and to Fisher's mean direction", "[dem][joints]")

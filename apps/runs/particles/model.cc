@@ -22,7 +22,7 @@ namespace apps
       root.at("Gravity").refuse("Initial equilibrium",
                                 "platens of section Laboratory stand where the packing ends, and would not know of "
                                 "an equilibrium that moves it. Choose none.");
-    joints.check(root.at("Specimen"), physics.dimension);
+    joints.check(root, physics.dimension);
     if (joints.given() && !bonded())
       root.at("Specimen").refuse("Joints", "they cut links, and the law of the material makes none.");
     if (joints.given() && gravity.asks_for_equilibrium())

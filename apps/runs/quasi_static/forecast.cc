@@ -14,7 +14,8 @@ namespace apps
   {
     const base::Stopwatch set_up;
     const dem::Packing    packing        = model.packing();
-    const auto            loaded         = model.load(packing);
+    const JointedPacking  jointed        = model.jointed(packing);
+    const auto            loaded         = model.load(jointed);
     const double          set_up_seconds = set_up.seconds();
     std::string           text;
     text += fmt::format("  particles    {}\n", loaded.network.particles());
@@ -22,6 +23,7 @@ namespace apps
     text += extent_lines(packing, loaded.network.dimension);
     text += lines_of_tension_beyond_apex(model.material);
     text += materials_in(loaded.network, packing.material_names).text();
+    text += jointed.text();
     if (!model.is_cell())
       text += fmt::format("  basis        {}\n", text_of(model.grip_layers(packing), model.grips.parameters()));
     double seconds = 0;
@@ -29,8 +31,7 @@ namespace apps
       {
         text += fmt::format("  {:<12} at least {:.0f} points to its stop strain\n", name_of(load),
                             model.steps(load).end_strain / model.steps(load).strain_step);
-        seconds += set_up_seconds +
-                   expected_path_seconds(loaded, model.mixed().materials(packing.material_names), model.steps(load));
+        seconds += set_up_seconds + expected_path_seconds(loaded, model.materials(jointed), model.steps(load));
       }
     return text + duration_line(seconds);
   }

@@ -83,27 +83,34 @@ namespace apps
   QuasiStaticLabTest::QuasiStaticLabTest(const QuasiStaticModel &model,
                                          const dem::Packing     &packing,
                                          const std::size_t       which)
-    : classes(model.mixed().link_classes(packing.material_names))
+    : QuasiStaticLabTest(model, model.jointed(packing), which)
+  {
+  }
+
+  QuasiStaticLabTest::QuasiStaticLabTest(const QuasiStaticModel &model,
+                                         const JointedPacking   &jointed,
+                                         const std::size_t       which)
+    : classes(jointed.link_classes(model.mixed().link_classes(jointed.packing().material_names)))
     , name(name_of(model.tests[which]))
     , axis(model.axis)
     , shape{model.dimension, 0, model.source.thickness}
     , end_strain(model.steps(model.tests[which]).end_strain)
     , snapshot_interval(model.snapshot_interval)
-    , radius(packing.radius)
-    , cell(edges_of(packing))
-    , loaded(model.load(packing))
-    , path(loaded, model.mixed().materials(packing.material_names), model.steps(model.tests[which]))
+    , radius(jointed.packing().radius)
+    , cell(edges_of(jointed.packing()))
+    , loaded(model.load(jointed))
+    , path(loaded, model.materials(jointed), model.steps(model.tests[which]))
   {
     result.load          = model.tests[which];
     result.stop_fraction = model.steps(model.tests[which]).end_stress;
     result.notes.name    = name;
     if (!model.is_cell())
       {
-        layers                    = model.grip_layers(packing);
+        layers                    = model.grip_layers(jointed.packing());
         result.notes.section      = layers->section;
         result.notes.gauge_length = layers->gauge_length;
       }
-    materials = materials_in(loaded.network, packing.material_names);
+    materials = materials_in(loaded.network, jointed.packing().material_names);
   }
 
   void QuasiStaticLabTest::open(const std::filesystem::path &folder)

@@ -87,6 +87,8 @@ namespace apps
     static std::vector<postprocess::SeriesColumn> series_columns(const QuasiStaticModel &model);
 
   private:
+    QuasiStaticLabTest(const QuasiStaticModel &model, const JointedPacking &jointed, std::size_t number);
+
     void        snapshot();
     std::string draw_crack(const std::filesystem::path &folder) const;
     double      gauged_strain() const; ///< of the last point, over the gauge length

@@ -1,5 +1,7 @@
 #include "apps/runs/quasi_static/model.h"
 
+#include "dem/network/turning_grips.h"
+
 namespace apps
 {
   void QuasiStaticModel::check(const base::EntryPath &root) const
@@ -7,11 +9,18 @@ namespace apps
     source.check(root, dimension);
     material.check(root, dimension);
     mixed().check(root);
+    joints.check(root, dimension);
+    if (joints.given() && is_cell())
+      root.at("Specimen")
+        .refuse("Joints", "they cut through a body, and a periodic cell has no end to them. Choose "
+                          "Specimen/Body = box.");
     const base::EntryPath loading = root.at("Loading");
     if (dimension == 2 && axis == 2)
       loading.refuse("Axis", "in two dimensions the specimen lies in the plane z = 0. Load it along x or y.");
     if (!is_cell())
       grips.check(loading);
+    if (!is_cell() && grips_turn && !lateral_blocked)
+      loading.refuse("Grips turn", "the specimen would fall over: set Lateral motion blocked = true.");
     for (const UniaxialLoad load : tests)
       if (const auto way = steps(load); way.end_strain < way.strain_step)
         loading.at(load == UniaxialLoad::tension ? "Tension" : "Compression")
@@ -39,24 +48,26 @@ namespace apps
                                  grips.parameters());
   }
 
-  dem::LoadedNetwork QuasiStaticModel::load(const dem::Packing &packing) const
+  dem::LoadedNetwork QuasiStaticModel::load(const JointedPacking &jointed) const
   {
     dem::NetworkParameters links;
-    links.dimension                    = dimension;
-    links.rotations                    = rotations;
-    links.interaction_ratio            = source.interaction_ratio;
-    links.installation_gap             = source.installation_gap;
-    links.thickness                    = source.thickness;
-    const dem::LinkMaterials materials = mixed().materials(packing.material_names);
+    links.dimension         = dimension;
+    links.rotations         = rotations;
+    links.interaction_ratio = source.interaction_ratio;
+    links.installation_gap  = source.installation_gap;
+    links.thickness         = source.thickness;
     if (is_cell())
-      return dem::load_cell(dem::make_network(packing, links, materials), axis, !lateral_blocked);
+      return dem::load_cell(dem::make_network(jointed.packing(), links, materials(jointed)), axis, !lateral_blocked);
     dem::GripPair pair;
     pair.axis            = axis;
     pair.lateral_blocked = lateral_blocked;
     pair.spin_blocked    = spin_blocked;
-    pair.layers          = grip_layers(packing);
-    dem::Packing free    = packing;
+    pair.layers          = grip_layers(jointed.packing());
+    dem::Packing free    = jointed.packing();
     free.periodic_cell.reset();
-    return dem::load_grips(dem::make_network(free, links, materials), pair);
+    dem::LoadedNetwork loaded = dem::load_grips(dem::make_network(free, links, materials(jointed)), pair);
+    if (grips_turn)
+      dem::let_grips_turn(loaded, pair);
+    return loaded;
   }
 } // namespace apps

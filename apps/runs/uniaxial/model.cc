@@ -9,7 +9,7 @@ namespace apps
     source.check(root, physics.dimension);
     material.check(root, physics.dimension);
     mixed().check(root);
-    joints.check(root.at("Specimen"), physics.dimension);
+    joints.check(root, physics.dimension);
     gravity.check(root, physics.dimension);
     if (joints.given() && gravity.asks_for_equilibrium())
       root.at("Gravity").refuse("Initial equilibrium", "is not found for a specimen with joints. Choose none.");

@@ -64,16 +64,30 @@ namespace apps
     }
   } // namespace
 
-  void declare(Section &specimen, JointSection &joints)
+  void declare(Section &root, JointSection &joints)
   {
-    Section &section = specimen.section("Joints", "One sub-section per joint, or set of joints of the same constants");
+    Section &section = root.find_section("Specimen")
+                         ->section("Joints", "One sub-section per joint, or set of joints of the same constants");
     section.named_sections("JOINT", [&joints](Section &opened) {
       JointSet &added = joints.sets.emplace_back();
       added.name      = opened.name();
+      opened.text("Material", added.material, Need::optional)
+        .means("Name of a section in Joint materials; empty: its own constants, in section smooth-joint");
       declare_place(opened, added);
       declare_network(opened, added);
       Section &law = opened.section("smooth-joint", dem::SmoothJointLaw::meaning);
+      law.only_if([&added] { return added.material.empty(); }, opened.path() + "/Material is empty");
       dem::SmoothJointLaw::describe(added.law, ConstantEntries{law});
+    });
+
+    Section &materials =
+      root.section("Joint materials", "One sub-section per material of joints, which several sets of joints may share");
+    materials.only_if([&joints] { return joints.given(); }, "there are joints");
+    materials.named_sections("MATERIAL", [&joints](Section &opened) {
+      JointMaterial &added = joints.materials.emplace_back();
+      added.name           = opened.name();
+      dem::SmoothJointLaw::describe(added.law,
+                                    ConstantEntries{opened.section("smooth-joint", dem::SmoothJointLaw::meaning)});
     });
   }
 } // namespace apps

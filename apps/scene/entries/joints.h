@@ -6,6 +6,6 @@ namespace apps
 {
   class Section;
 
-  /** Sub-section "Joints". @param specimen section */
-  void declare(Section &specimen, JointSection &joints);
+  /** Sub-section "Joints" of section "Specimen", which is there, and section "Joint materials". */
+  void declare(Section &root, JointSection &joints);
 } // namespace apps

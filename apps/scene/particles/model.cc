@@ -52,7 +52,7 @@ namespace apps
   void declare(Section &root, ParticlesModel &model)
   {
     declare_as_part(root, model);
-    declare(*root.find_section("Specimen"), model.joints);
+    declare(root, model.joints);
     declare_course(root, model);
     declare(root, model.precice, "Group", "Whose particles are the vertices of the mesh");
     declare(root, model.laboratory);

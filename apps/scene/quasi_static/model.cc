@@ -1,6 +1,7 @@
 #include "apps/scene/quasi_static/model.h"
 
 #include "apps/scene/entries/grips.h"
+#include "apps/scene/entries/joints.h"
 #include "apps/scene/entries/material.h"
 #include "apps/scene/entries/mix.h"
 #include "apps/scene/entries/physics.h"
@@ -50,6 +51,10 @@ namespace apps
       section.flag("Grip rotation blocked", model.spin_blocked)
         .means("Grips keep their particles from spinning")
         .only_if(gripped, "Specimen/Body = box");
+      section.flag("Grips turn", model.grips_turn)
+        .means("Each grip turns about its middle, as a platen on a spherical seat; otherwise both stay parallel. Their "
+               "particles are held sideways then")
+        .only_if(gripped, "Specimen/Body = box");
       declare_test(section, model, UniaxialLoad::tension);
       declare_test(section, model, UniaxialLoad::compression);
     }
@@ -63,6 +68,7 @@ namespace apps
     use.genesis = true;
     declare(root, model.source, model.dimension, use);
     declare(*root.find_section("Specimen"), model.mix);
+    declare(root, model.joints);
     declare(root, model.material, use.inertia);
 
     declare_static_physics(root, model.dimension, model.rotations);

@@ -18,7 +18,7 @@ namespace apps
   {
     declare(root, model.source, model.physics.dimension);
     declare(*root.find_section("Specimen"), model.mix);
-    declare(*root.find_section("Specimen"), model.joints);
+    declare(root, model.joints);
     declare(root, model.material);
     declare_physics(root, model.physics);
     declare(root, model.time);
