@@ -193,9 +193,9 @@ namespace apps
     }
   } // namespace
 
-  int run_calibration_bench(const std::filesystem::path &folder)
+  int run_calibration_bench(const CalibrationBench &bench)
   {
-    const BenchResults results(folder, "calibration");
+    const BenchResults results(bench.folder, "calibration");
     std::string        csv = "problem,method,runs_needed,runs,nearest [%]\n";
     std::string        md  = "| problem | method | runs to 1 % | runs in all | nearest [%] |\n|---|---|---|---|---|\n";
     std::vector<postprocess::PlotPanel> panels;
@@ -220,7 +220,7 @@ namespace apps
       }
     fmt::print("{}", md);
     results.write(csv, md);
-    measure_coverage(folder);
+    measure_coverage(bench.folder);
     return results.finish(panels);
   }
 } // namespace apps
