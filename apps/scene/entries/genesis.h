@@ -7,6 +7,6 @@ namespace apps
   class Section;
 
   void declare(Section &genesis, AggregatesSection &aggregates);
-  /** @param chosen whether the scene asks for it */
+  /** @param chosen whether the scene has chosen it */
   void declare(Section &specimen, GenesisSection &genesis, const int &dimension, const std::function<bool()> &chosen);
 } // namespace apps
