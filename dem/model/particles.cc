@@ -52,12 +52,12 @@ namespace dem
   {
     if (cuts.empty())
       return nullptr;
-    JointCut   asked;
+    JointCut   requested;
     const auto found_as = std::minmax(number[static_cast<std::size_t>(one)], number[static_cast<std::size_t>(other)]);
-    asked.first         = found_as.first;
-    asked.second        = found_as.second;
-    const auto found    = std::lower_bound(cuts.begin(), cuts.end(), asked);
-    return found == cuts.end() || asked < *found ? nullptr : &*found;
+    requested.first     = found_as.first;
+    requested.second    = found_as.second;
+    const auto found    = std::lower_bound(cuts.begin(), cuts.end(), requested);
+    return found == cuts.end() || requested < *found ? nullptr : &*found;
   }
 
   std::int32_t Particles::pair_of(const std::int32_t one, const std::int32_t other) const

@@ -138,7 +138,7 @@ TEST_CASE("of a pair that several joints cut the first one has it", "[dem][joint
   CHECK(dem::find_cuts(packing, {3, 0, 1.1, 0, 1}, joints).cuts.empty());
 }
 
-TEST_CASE("random joints come to the intensity asked, and to Fisher's mean direction", "[dem][joints]")
+TEST_CASE("random joints come to the prescribed intensity, and to Fisher's mean direction", "[dem][joints]")
 {
   dem::JointNetwork network;
   network.upper     = {1, 1, 1};

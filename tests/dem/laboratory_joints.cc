@@ -41,9 +41,9 @@ namespace
     joint.plane                     = plane.normal;
     const dem::SpecimenParameters p = discs();
     column.cuts = dem::find_cuts(column, {2, p.thickness, p.interaction_ratio, 0, column.size()}, {plane}).cuts;
-    dem::LabParameters asked = between_platens(0.01);
-    asked.stop_strain        = 4 * stress_of_slip(dip, joint) / modulus;
-    Run run(column, p, dem::LinkMaterials(strong()).with_joints(std::vector{joint}), asked);
+    dem::LabParameters requested = between_platens(0.01);
+    requested.stop_strain        = 4 * stress_of_slip(dip, joint) / modulus;
+    Run run(column, p, dem::LinkMaterials(strong()).with_joints(std::vector{joint}), requested);
     run.to_end(2000000);
     CHECK(run.body.energy().friction > 0);
     CHECK(run.body.energy().balance_error() < 1e-3);
