@@ -286,9 +286,9 @@ namespace apps
     }
   } // namespace
 
-  int run_homogenise_bench(const HomogeniseBench &asked)
+  int run_homogenise_bench(const HomogeniseBench &requested)
   {
-    HomogeniseBench bench = asked;
+    HomogeniseBench bench = requested;
     if (bench.quick)
       {
         bench.particles      = {64, 125};

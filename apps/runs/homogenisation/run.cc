@@ -153,12 +153,12 @@ namespace apps
         {
           if (run.interrupted())
             return run.interrupted_result();
-          HomogenisationQuestion asked = model.question(iota, ratio);
-          asked.solver.ranks           = team.get();
+          HomogenisationQuestion requested = model.question(iota, ratio);
+          requested.solver.ranks           = team.get();
           SweepPoint point{iota, ratio, {}};
           for (const dem::Packing &body : bodies)
-            point.answers.push_back(homogenise(body, asked, origin));
-          run.says(fmt::format("G/E = {:<8} {}{}\n", ratio, table_of(point.answers.front(), asked),
+            point.answers.push_back(homogenise(body, requested, origin));
+          run.says(fmt::format("G/E = {:<8} {}{}\n", ratio, table_of(point.answers.front(), requested),
                                scatter_table(point.answers)));
           nlohmann::json entry = json_of(point.answers.front());
           if (point.answers.size() > 1)
