@@ -3,7 +3,7 @@
 namespace apps
 {
   /**
-   * The whole program: read the command line, do what it asks, and turn every error into one message.
+   * The whole program: read the command line, run its command, and turn every error into one message.
    * @return exit status.
    */
   int run_program(int argc, char *argv[]);

@@ -55,13 +55,13 @@ namespace base
                                                     {"micrometre", 3},
                                                     {"micrometer", 3},
                                                     {"micron", 3}}};
-    std::string                           asked(text);
-    std::transform(asked.begin(), asked.end(), asked.begin(), [](const unsigned char c) { return std::tolower(c); });
-    const bool word = asked.size() > 3; // symbols have no plural
-    if (word && asked.back() == 's')
-      asked.pop_back();
+    std::string                           sought(text);
+    std::transform(sought.begin(), sought.end(), sought.begin(), [](const unsigned char c) { return std::tolower(c); });
+    const bool word = sought.size() > 3; // symbols have no plural
+    if (word && sought.back() == 's')
+      sought.pop_back();
     for (const Name &name : names)
-      if (asked == name.word)
+      if (sought == name.word)
         return length_units[name.unit];
     return std::nullopt;
   }

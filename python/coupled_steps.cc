@@ -25,7 +25,7 @@ namespace python
 
   namespace
   {
-    constexpr std::int64_t most_at_once = 100; // windows between two looks at signals
+    constexpr std::int64_t most_at_once = 100; // windows between two checks for signals
 
     const apps::CoupledModel &model_of(const apps::CheckedScene &scene)
     {

@@ -12,7 +12,7 @@
 
 namespace python
 {
-  /** A run of a scene of kind "coupled" that goes on window by window, as asked from outside; its result is that of the program's run. */
+  /** A run of a scene of kind "coupled" that goes on window by window, as requested from outside; its result is that of the program's run. */
   class CoupledSteps : public UntilExit
   {
   public:

@@ -49,11 +49,11 @@ namespace python
 
   dem::CellResponse LiveCell::respond(const base::Voigt &strain, const bool with_tangent)
   {
-    base::Voigt asked = strain;
+    base::Voigt requested = strain;
     if (prepared().of_discs())
-      asked[2] = asked[3] = asked[4] = 0;
+      requested[2] = requested[3] = requested[4] = 0;
     const std::lock_guard<std::mutex> alone(shared->busy);
-    dem::CellResponse                 answer = own->respond(asked, shared->cell.system_of_thread(0), with_tangent);
+    dem::CellResponse                 answer = own->respond(requested, shared->cell.system_of_thread(0), with_tangent);
     if (with_tangent)
       answer.tangent = prepared().in_space(answer.tangent);
     return answer;

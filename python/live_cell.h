@@ -32,7 +32,7 @@ namespace python
     const coupling::PreparedCell &prepared() const { return shared->cell; }
     const dem::RespondingCell    &cell() const { return *own; }
 
-    /** From the committed state; in the plane what leaves it is not looked at. @throws base::InputError, base::NumericalError */
+    /** From the committed state; in the plane what leaves it is ignored. @throws base::InputError, base::NumericalError */
     dem::CellResponse respond(const base::Voigt &strain, bool with_tangent);
     void              commit() { own->commit(); }
     void              begin_step() { own->begin_step(); }

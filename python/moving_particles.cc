@@ -26,7 +26,7 @@ namespace python
     apps::with_places(*scene.root, [&] {
       if (particles->model().precice.given())
         throw base::EntryError({"preCICE"}, "Participant",
-                               "particles moved step by step are coupled by who moves them.");
+                               "particles moved step by step are coupled by the program that moves them.");
       packing = particles->model().packing();
       body    = std::make_unique<apps::ParticlesBody>(particles->model(), packing);
       body->start();

@@ -50,7 +50,7 @@ namespace python
       }
 
       bool interrupted = false;
-      bool stops       = false; ///< it has been asked to
+      bool stops       = false; ///< that is requested
 
     private:
       py::object                             on_sample;

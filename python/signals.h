@@ -7,7 +7,7 @@
 
 namespace python
 {
-  /** Whether a signal has come that a handler of Python turns into an exception; asked often, so it looks ten times a second. */
+  /** Whether a signal has come that a handler of Python turns into an exception; called often, so it checks ten times a second. */
   class SignalsOfPython
   {
   public:
@@ -18,7 +18,7 @@ namespace python
 
   private:
     std::exception_ptr                    exception;
-    std::chrono::steady_clock::time_point looked;
+    std::chrono::steady_clock::time_point checked;
   };
 
   /** Do work that other threads of Python go on beside; it is given a function that says whether to stop. @throws what Ctrl-C raises, once the work is over */

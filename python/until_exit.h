@@ -18,7 +18,7 @@ namespace python
     UntilExit(const UntilExit &)            = delete;
     UntilExit &operator=(const UntilExit &) = delete;
 
-    /** Nothing is asked of it any more. */
+    /** It is not used any more. */
     virtual void let_go() = 0;
   };
 

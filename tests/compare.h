@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-/** Every row of a reference, by its subject: the same that "breccia validate" tells of. */
+/** Every row of a reference, by its subject: the same that "breccia validate" reports. */
 inline void compare(const std::vector<base::Reference> &references, const std::string &subject)
 {
   const auto found =

@@ -45,7 +45,7 @@ namespace
   }
 
   // Fast tests come first. All run side by side on one thread each, which wastes less than several threads in a test; what is of
-  // several threads asks for them, and threads that wait sleep: it would otherwise spend its time in barriers. Ranks do not sleep.
+  // several threads requests them, and threads that wait sleep: it would otherwise spend its time in barriers. Ranks do not sleep.
   // Packings are made by the program under test: none comes out of the user's cache.
   std::string properties(const Catch::TestCase &test)
   {

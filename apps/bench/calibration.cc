@@ -19,7 +19,7 @@ namespace apps
     constexpr double near_enough = 0.01, difference_step = 0.03; // of the range of a constant
     constexpr int    most_runs = 500, runs_of_emulator = 6, most_emulators = 20;
 
-    /** A model that counts its runs, and remembers how near to the truth it was ever asked to be. */
+    /** A model that counts its runs, and remembers how near to the truth it was ever evaluated. */
     class CountedModel
     {
     public:
@@ -174,11 +174,11 @@ namespace apps
       for (const double scatter : {0.0, 0.25, 1.0})
         for (const bool known : {true, false})
           {
-            optimisation::SyntheticCalibrations asked;
-            asked.model_scatter          = scatter * asked.deviation;
-            asked.known                  = known;
-            const auto            found  = optimisation::coverage_of(asked);
-            const double          part   = 100.0 / asked.count;
+            optimisation::SyntheticCalibrations requested;
+            requested.model_scatter      = scatter * requested.deviation;
+            requested.known              = known;
+            const auto            found  = optimisation::coverage_of(requested);
+            const double          part   = 100.0 / requested.count;
             const Eigen::VectorXd inside = part * found.inside.cast<double>(),
                                   narrow = part * found.by_residuals.cast<double>();
             for (int k = 0; k < 3; ++k)
@@ -193,9 +193,9 @@ namespace apps
     }
   } // namespace
 
-  int run_calibration_bench(const std::filesystem::path &folder)
+  int run_calibration_bench(const CalibrationBench &bench)
   {
-    const BenchResults results(folder, "calibration");
+    const BenchResults results(bench.folder, "calibration");
     std::string        csv = "problem,method,runs_needed,runs,nearest [%]\n";
     std::string        md  = "| problem | method | runs to 1 % | runs in all | nearest [%] |\n|---|---|---|---|---|\n";
     std::vector<postprocess::PlotPanel> panels;
@@ -220,7 +220,7 @@ namespace apps
       }
     fmt::print("{}", md);
     results.write(csv, md);
-    measure_coverage(folder);
+    measure_coverage(bench.folder);
     return results.finish(panels);
   }
 } // namespace apps

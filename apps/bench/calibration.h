@@ -4,6 +4,11 @@
 
 namespace apps
 {
+  struct CalibrationBench
+  {
+    std::filesystem::path folder;
+  };
+
   /**
    * How often a model is run until constants are within one percent of their ranges of the truth: by plain finite differences, with updates
    * of derivatives, after a cheap model, without derivatives, and by an emulator, on the problems of calibration_problems.h.
@@ -14,5 +19,5 @@ namespace apps
    *
    * @return exit status. @throws postprocess::OutputError.
    */
-  int run_calibration_bench(const std::filesystem::path &folder);
+  int run_calibration_bench(const CalibrationBench &bench);
 } // namespace apps

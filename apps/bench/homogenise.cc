@@ -1,10 +1,12 @@
 #include "apps/bench/homogenise.h"
 
 #include "apps/bench/results.h"
-#include "apps/runs/homogenisation/report.h"
 #include "apps/specimens/specimen_packing.h"
+#include "apps/statistics/sample.h"
 #include "base/stopwatch.h"
 #include "base/voigt.h"
+#include "dem/homogenisation/isotropy.h"
+#include "dem/homogenisation/relaxed_stiffness.h"
 #include "dem/laws/elastic_links.h"
 #include "dem/linear/dynamic_relaxation.h"
 #include "dem/loading/periodic_cell.h"
@@ -194,8 +196,8 @@ namespace apps
               row.links      = network.links.size();
               young.push_back(dem::isotropy_measures(stiffness, 3).mean.young);
             }
-          const SampleFigure sample = *sample_figure(young); // never empty
-          row.error                 = sample.deviation / sample.mean;
+          const statistics::SampleMoments sample = statistics::moments_of(young);
+          row.error                              = sample.deviation / sample.mean;
           announce(row);
           rows.push_back(row);
         }
@@ -284,9 +286,9 @@ namespace apps
     }
   } // namespace
 
-  int run_homogenise_bench(const HomogeniseBench &asked)
+  int run_homogenise_bench(const HomogeniseBench &requested)
   {
-    HomogeniseBench bench = asked;
+    HomogeniseBench bench = requested;
     if (bench.quick)
       {
         bench.particles      = {64, 125};

@@ -228,7 +228,7 @@ namespace apps
       return panel;
     }
 
-    /** Those that are asked for, and before them what they are compared with. @throws base::InputError */
+    /** Those that are requested, and before them what they are compared with. @throws base::InputError */
     std::vector<const beygi::Mix *> chosen_mixes(const std::vector<std::string> &wanted)
     {
       std::vector<const beygi::Mix *> found;
@@ -244,9 +244,9 @@ namespace apps
     }
   } // namespace
 
-  int run_mesoscale_bench(const MesoscaleBench &asked)
+  int run_mesoscale_bench(const MesoscaleBench &requested)
   {
-    MesoscaleBench bench = asked;
+    MesoscaleBench bench = requested;
     if (bench.quick)
       {
         bench.geometries = 1;

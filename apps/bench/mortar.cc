@@ -41,7 +41,7 @@ namespace apps
       dem::GripParameters ends;
       ends.thickness = 0.5 * *std::max_element(packing.radius.begin(), packing.radius.end());
       dem::GripPair pair;
-      pair.axis = model.laboratory.asked.press.axis;
+      pair.axis = model.laboratory.requested.press.axis;
       pair.layers =
         dem::find_grip_layers({packing.centre, packing.radius, links.dimension, links.thickness}, pair.axis, ends);
       return dem::load_grips(dem::make_network(packing, links, model.material.materials()), pair);
@@ -79,9 +79,9 @@ namespace apps
       dem::QuasiStaticParameters steps;
       steps.sign        = -1;
       steps.strain_step = static_strain_step;
-      steps.end_strain  = model.laboratory.asked.stop_strain;
-      steps.end_stress  = model.laboratory.asked.stop_fraction;
-      steps.tolerance   = model.laboratory.asked.rest;
+      steps.end_strain  = model.laboratory.requested.stop_strain;
+      steps.end_stress  = model.laboratory.requested.stop_fraction;
+      steps.tolerance   = model.laboratory.requested.rest;
       dem::QuasiStaticPath path(loaded, model.material.materials(), steps);
       try
         {

@@ -204,7 +204,7 @@ namespace apps
     struct AloneRow
     {
       std::size_t particles = 0, links = 0;
-      double      bound = 0, looked = 0;     ///< of an elastic point: by the bound, by visiting all links [s]
+      double      bound = 0, visited = 0;    ///< of an elastic point: by the bound, by visiting all links [s]
       double      elastic = 0, damaging = 0; ///< of a promoted cell: an increment [s]
       double      sixteen[2] = {0, 0};       ///< of so many damaging cells, by one thread and by two [s]
     };
@@ -302,11 +302,11 @@ namespace apps
       AloneRow          row{elastic->particles(), elastic->links()};
       const base::Voigt unit = pulled(1);
       double            sum = 0, size = 1e-7;
-      row.bound  = seconds_of([&] { sum += elastic->elastic_range()->surely_below(size * unit) ? 1 : 0; }, 1000);
-      row.looked = seconds_of([&] { sum += elastic->elastic_range()->nearest(size * unit).exertion; }, 20);
+      row.bound   = seconds_of([&] { sum += elastic->elastic_range()->surely_below(size * unit) ? 1 : 0; }, 1000);
+      row.visited = seconds_of([&] { sum += elastic->elastic_range()->nearest(size * unit).exertion; }, 20);
       while (!elastic->is_left_by(size * unit))
         size *= 1.02;
-      const auto ask = [&](const std::size_t n, const double strain, const int threads) {
+      const auto measured = [&](const std::size_t n, const double strain, const int threads) {
         coupling::CellPoints points({{promoted}, coupling::Localised::go_on}, fem::Plane::strain);
         points.allocate(n);
         omp_set_num_threads(threads);
@@ -321,22 +321,22 @@ namespace apps
         omp_set_num_threads(1);
         return watch.seconds();
       };
-      row.elastic  = std::min(ask(1, size, 1), ask(1, size, 1));
-      row.damaging = ask(1, 1.2 * size, 1);
+      row.elastic  = std::min(measured(1, size, 1), measured(1, size, 1));
+      row.damaging = measured(1, 1.2 * size, 1);
       for (const int threads : {1, 2})
-        row.sixteen[threads - 1] = ask(16, 1.2 * size, threads);
+        row.sixteen[threads - 1] = measured(16, 1.2 * size, threads);
       return row;
     }
 
     std::string table_of(const std::vector<AloneRow> &rows)
     {
-      std::string md =
-        "| Particles | Links | Elastic point, by the bound [us] | by looking [us] | Promoted, elastic increment [ms] | "
-        "damaging [ms] | 16 damaging, 1 thread [s] | 2 threads [s] | Speed-up "
-        "|\n|---|---|---|---|---|---|---|---|---|\n";
+      std::string md = "| Particles | Links | Elastic point, by the bound [us] | by visiting [us] | Promoted, elastic "
+                       "increment [ms] | "
+                       "damaging [ms] | 16 damaging, 1 thread [s] | 2 threads [s] | Speed-up "
+                       "|\n|---|---|---|---|---|---|---|---|---|\n";
       for (const AloneRow &r : rows)
         md += fmt::format("| {} | {} | {:.2f} | {:.0f} | {:.2f} | {:.0f} | {:.2f} | {:.2f} | {:.2f} |\n", r.particles,
-                          r.links, 1e6 * r.bound, 1e6 * r.looked, 1e3 * r.elastic, 1e3 * r.damaging, r.sixteen[0],
+                          r.links, 1e6 * r.bound, 1e6 * r.visited, 1e3 * r.elastic, 1e3 * r.damaging, r.sixteen[0],
                           r.sixteen[1], r.sixteen[0] / r.sixteen[1]);
       return md + "\n";
     }
@@ -377,7 +377,7 @@ namespace apps
 
   int run_multiscale_bench(const MultiscaleBench &bench)
   {
-    const int threads = omp_get_max_threads(); // cells alone are looked at with numbers of their own
+    const int threads = omp_get_max_threads(); // cells alone run with numbers of threads of their own
     start_mpi();
     for (const Benched &of : {beam_before_peak(bench), small_plate(bench.plate)}) // before anything that takes long
       plane_model(SceneVariant().of(of.scene, of.overrides));

@@ -147,9 +147,9 @@ namespace apps
     }
   } // namespace
 
-  int run_quasi_static_bench(const QuasiStaticBench &asked)
+  int run_quasi_static_bench(const QuasiStaticBench &requested)
   {
-    QuasiStaticBench bench = asked;
+    QuasiStaticBench bench = requested;
     if (bench.quick)
       {
         bench.cell_particles = 250;

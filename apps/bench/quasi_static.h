@@ -20,7 +20,7 @@ namespace apps
 
   /**
    * Tensile strength of one small specimen, made as the scene says, along its quasi-static path, and pulled in time at falling
-   * rates: the rate effect of the dynamic strengths, and what it costs to be rid of it.
+   * rates: the rate effect of the dynamic strengths, and the cost of avoiding it.
    *
    * Written to quasi_static.csv, quasi_static.md and quasi_static.png. @return exit status. @throws base::InputError,
    * postprocess::OutputError.

@@ -160,9 +160,9 @@ namespace apps
     return rate <= 30 ? std::pow(rate / 30e-6, 0.014) : 0.012 * std::cbrt(rate / 30e-6);
   }
 
-  int run_rate_effect_bench(const RateEffectBench &asked)
+  int run_rate_effect_bench(const RateEffectBench &requested)
   {
-    RateEffectBench bench = asked;
+    RateEffectBench bench = requested;
     if (bench.quick)
       bench.rates = {1e-6, 1e-3, 1, 30};
     std::sort(bench.rates.begin(), bench.rates.end());

@@ -1,11 +1,10 @@
 #include "apps/bench/size_effect_answer.h"
 
+#include "apps/statistics/sample.h"
 #include "base/errors.h"
 
 #include <fmt/format.h>
 
-#include <cmath>
-#include <limits>
 #include <optional>
 #include <set>
 
@@ -155,23 +154,12 @@ namespace apps
 
   FigureOfSize figure_of(const std::vector<BrokenBeam> &all, const BeamCase &like, double BrokenBeam::*const member)
   {
-    FigureOfSize found;
-    const auto   counts = [&like](const BrokenBeam &b) {
-      return b.of.size == like.size && b.of.notched == like.notched && b.of.all_particles == like.all_particles;
-    };
+    std::vector<double> values;
     for (const BrokenBeam &b : all)
-      if (counts(b))
-        {
-          found.beams += 1;
-          found.mean += b.*member;
-        }
-    found.mean     = found.beams > 0 ? found.mean / found.beams : std::numeric_limits<double>::quiet_NaN();
-    double squares = 0;
-    for (const BrokenBeam &b : all)
-      if (counts(b))
-        squares += (b.*member - found.mean) * (b.*member - found.mean);
-    found.deviation = found.beams > 1 ? std::sqrt(squares / (found.beams - 1)) : 0;
-    return found;
+      if (b.of.size == like.size && b.of.notched == like.notched && b.of.all_particles == like.all_particles)
+        values.push_back(b.*member);
+    const statistics::SampleMoments found = statistics::moments_of(values);
+    return {found.mean, found.deviation, static_cast<int>(found.count)};
   }
 
   SizeEffectAnswer size_effect_answer(const std::vector<BrokenBeam> &all, const int calibrated, const double young)

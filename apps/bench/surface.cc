@@ -111,12 +111,12 @@ namespace apps
       const dem::Packing packing = model.particles.packing();
       const auto         body    = make_coupled_body(model, packing);
       body->start();
-      const double  start = base::processor_seconds();
-      const double  end   = model.particles.end_time;
-      constexpr int looks = 50;
-      for (int n = 1; n <= looks && !interrupted(); ++n)
+      const double  start   = base::processor_seconds();
+      const double  end     = model.particles.end_time;
+      constexpr int samples = 50;
+      for (int n = 1; n <= samples && !interrupted(); ++n)
         {
-          body->advance_to(end * n / looks);
+          body->advance_to(end * n / samples);
           progress.update(body->time() / end, fmt::format("time {:.3g} s", body->time()));
         }
       ImpactMeasurement found;

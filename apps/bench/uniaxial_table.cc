@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace apps
 {
@@ -46,21 +45,6 @@ namespace apps
       return studies;
     }
   } // namespace
-
-  double Scatter::mean() const
-  {
-    return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
-  }
-
-  double Scatter::deviation() const
-  {
-    if (values.size() < 2)
-      return 0;
-    double squares = 0;
-    for (const double value : values)
-      squares += (value - mean()) * (value - mean());
-    return std::sqrt(squares / static_cast<double>(values.size() - 1));
-  }
 
   void UniaxialMeasurement::add(const UniaxialResult &result)
   {

@@ -3,6 +3,7 @@
 #include "apps/bench/results.h"
 #include "apps/bench/uniaxial_cases.h"
 #include "apps/runs/uniaxial/result.h"
+#include "apps/statistics/sample.h"
 
 #include <string>
 #include <vector>
@@ -13,8 +14,8 @@ namespace apps
   struct Scatter
   {
     std::vector<double> values;
-    double              mean() const;
-    double              deviation() const; ///< standard deviation of the sample; 0 for one value
+    double              mean() const { return statistics::moments_of(values).mean; }
+    double              deviation() const { return statistics::moments_of(values).deviation; }
   };
 
   /** What one case gave, over its seeds. */

@@ -40,8 +40,8 @@ namespace apps
   int run_volume_bench(const VolumeBench &bench)
   {
     start_mpi();
-    const CheckedScene asked = read_scene(bench.scene, bench.overrides);
-    const auto        &scene = model_of_kind<TransmissionModel>(asked, "transmission");
+    const CheckedScene requested = read_scene(bench.scene, bench.overrides);
+    const auto        &scene     = model_of_kind<TransmissionModel>(requested, "transmission");
     const BenchResults results(bench.folder, "volume");
     catch_interrupts();
     std::vector<double> lengths = scene.wavelengths;

@@ -24,7 +24,7 @@ namespace apps
   {
     struct CheckOptions : SceneOptions
     {
-      std::size_t ranks = 0; ///< among which particles are to be shared out; 0: not asked for
+      std::size_t ranks = 0; ///< among which particles are to be shared out; 0: not requested
     };
 
     /** The first line of a forecast that says how long a run takes, in seconds; 0: none does. */
@@ -93,9 +93,10 @@ namespace apps
     void refuse_ranks(const CheckOptions &options, const char *what)
     {
       if (options.ranks > 0)
-        throw base::InputError(fmt::format("{}: --ranks: shares are told of one scene; this is a {} of many. Check the "
-                                           "scene that it runs.",
-                                           options.scene, what));
+        throw base::InputError(
+          fmt::format("{}: --ranks: shares are reported of one scene; this is a {} of many. Check the "
+                      "scene that it runs.",
+                      options.scene, what));
     }
 
     int check(const CheckOptions &options)

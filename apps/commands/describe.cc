@@ -293,7 +293,7 @@ namespace apps
       .add_option(
         "name", options->wanted,
         "Section or entry by its name or the end of its path, e.g. Damping, Tension, Loading/Tension; a kind, "
-        "e.g. study; a word that is no name is looked for in names, values and texts, e.g. triaxial; default: all")
+        "e.g. study; a word that is no name is sought in names, values and texts, e.g. triaxial; default: all")
       ->type_name("NAME");
     std::vector<std::string> kinds;
     for (const SceneKind &kind : scene_kinds())

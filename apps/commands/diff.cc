@@ -28,7 +28,8 @@ namespace apps
     }
 
     /** @return how many differ by more than the tolerance */
-    std::size_t tell(const char *what, const std::vector<ResultDifference> &differences, const double tolerance)
+    std::size_t
+    print_differences(const char *what, const std::vector<ResultDifference> &differences, const double tolerance)
     {
       fmt::print("{}: {}\n", what,
                  differences.empty() ? "the same bits" : fmt::format("{} differ", differences.size()));
@@ -41,7 +42,7 @@ namespace apps
       return beyond;
     }
 
-    void tell_of_files(const ComparedFiles &files)
+    void print_files(const ComparedFiles &files)
     {
       const auto list = [](const char *what, const std::vector<std::string> &names) {
         if (!names.empty())
@@ -56,14 +57,15 @@ namespace apps
     int compare_results(const DiffOptions &options)
     {
       const RunResult first = read_result(options.first), second = read_result(options.second);
-      std::size_t     beyond = tell("figures", differing_figures(first, second), options.tolerance) +
-                           tell("series", differing_columns(first.series, second.series), options.tolerance);
+      std::size_t     beyond =
+        print_differences("figures", differing_figures(first, second), options.tolerance) +
+        print_differences("series", differing_columns(first.series, second.series), options.tolerance);
       if (first.series.rows() != second.series.rows())
         {
           fmt::print("series: {} rows and {}\n", first.series.rows(), second.series.rows());
           ++beyond;
         }
-      tell_of_files(compared_files(options.first, options.second));
+      print_files(compared_files(options.first, options.second));
       return beyond > 0 ? exit_failure : exit_success;
     }
   } // namespace

@@ -81,14 +81,14 @@ namespace apps
       ResultFolder folder(options.folder, ResultFolder::Start::afresh);
       postprocess::write_text(folder.running() / "envelope.csv", csv_of(points));
       nlohmann::json json;
-      json["asked"]   = {{"kind", "envelope"}, {"constants", options.constants}, {"directions", options.directions}};
-      json["version"] = version();
-      json["figures"] = {{"compressive_strength", quantity(f.compressive, "Pa")},
-                         {"tensile_strength", quantity(f.tensile, "Pa")},
-                         {"biaxial_compressive_strength", quantity(f.biaxial, "Pa")},
-                         {"shear_strength", quantity(f.shear, "Pa")},
-                         {"biaxial_ratio", quantity(f.biaxial / f.compressive, "-")},
-                         {"shear_ratio", quantity(f.shear / f.compressive, "-")}};
+      json["requested"] = {{"kind", "envelope"}, {"constants", options.constants}, {"directions", options.directions}};
+      json["version"]   = version();
+      json["figures"]   = {{"compressive_strength", quantity(f.compressive, "Pa")},
+                           {"tensile_strength", quantity(f.tensile, "Pa")},
+                           {"biaxial_compressive_strength", quantity(f.biaxial, "Pa")},
+                           {"shear_strength", quantity(f.shear, "Pa")},
+                           {"biaxial_ratio", quantity(f.biaxial / f.compressive, "-")},
+                           {"shear_ratio", quantity(f.shear / f.compressive, "-")}};
       postprocess::write_json(folder.running() / "summary.json", json);
       warn_of_missing("envelope.png",
                       postprocess::plot(folder.running() / "envelope.png", {panel_of(points, f.compressive)}));

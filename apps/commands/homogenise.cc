@@ -1,6 +1,6 @@
-#include "apps/commands/asked_number.h"
 #include "apps/commands/command.h"
 #include "apps/commands/length_unit_option.h"
+#include "apps/commands/number_option.h"
 #include "apps/commands/scene_options.h"
 #include "apps/models/material.h"
 #include "apps/process/exit_status.h"
@@ -145,16 +145,16 @@ namespace apps
       nlohmann::json json = json_of(answers.front());
       json["made_by"]     = "breccia " + version();
       json["packing"]     = options.packing;
-      json["asked"]       = {{"interaction_ratio", options.question.links.interaction_ratio},
+      json["requested"]   = {{"interaction_ratio", options.question.links.interaction_ratio},
                              {"installation_gap", options.question.links.installation_gap},
                              {"tolerance", options.question.solver.tolerance}};
       if (options.question.materials)
-        json["asked"].update({{"law", options.question.materials->bonds(dem::Physics())->name()},
-                              {"materials", options.materials},
-                              {"changes", options.constants}});
+        json["requested"].update({{"law", options.question.materials->bonds(dem::Physics())->name()},
+                                  {"materials", options.materials},
+                                  {"changes", options.constants}});
       else
-        json["asked"].update({{"normal_modulus", options.question.links.normal_modulus},
-                              {"shear_ratio", options.question.links.shear_ratio}});
+        json["requested"].update({{"normal_modulus", options.question.links.normal_modulus},
+                                  {"shear_ratio", options.question.links.shear_ratio}});
       if (answers.size() > 1)
         json["scatter"] = scatter_json(answers);
       ResultFolder folder(options.folder, ResultFolder::Start::afresh);
@@ -181,11 +181,11 @@ namespace apps
                   "Links up to this times the sum of radii, from 1 to 10")
       ->required()
       ->type_name("IOTA");
-    add_asked_number(command, {"--installation-gap", "gap", "m", Range::between(0, 1e3)}, links.installation_gap,
-                     "That much further still [m]; default: 0")
+    add_number_option(command, {"--installation-gap", "gap", "m", Range::between(0, 1e3)}, links.installation_gap,
+                      "That much further still [m]; default: 0")
       ->type_name("GAP");
-    auto *modulus = add_asked_number(command, {"--normal-modulus", "modulus", "Pa", {}}, links.normal_modulus,
-                                     "Of the link material along the link [Pa]")
+    auto *modulus = add_number_option(command, {"--normal-modulus", "modulus", "Pa", {}}, links.normal_modulus,
+                                      "Of the link material along the link [Pa]")
                       ->type_name("E");
     auto *ratio =
       command.add_option("--shear-ratio", links.shear_ratio, "Shear over normal modulus of the link material")
@@ -203,8 +203,8 @@ namespace apps
       ->type_name("SCENE");
     add_overrides(command, options->constants,
                   "Constant of --law, e.g. -s \"Effective modulus=10e9\", or entry of --materials; repeatable");
-    add_asked_number(command, {"--thickness", "thickness", "m", Range::positive()}, links.thickness,
-                     "The packing is of discs this thick [m]: stiffness in the plane")
+    add_number_option(command, {"--thickness", "thickness", "m", Range::positive()}, links.thickness,
+                      "The packing is of discs this thick [m]: stiffness in the plane")
       ->type_name("T");
     command
       .add_option("--seeds", options->seeds, "Packings in all: the others are compacted like the one given; default: 1")

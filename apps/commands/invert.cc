@@ -28,7 +28,7 @@ namespace apps
       std::vector<std::string> surfaces, targets, boxes;
       std::string              folder;
       InversionQuestion        question;
-      TargetScaling            scaling; ///< without a study: it is not asked for
+      TargetScaling            scaling; ///< without a study: not requested
     };
 
     /** "NAME=VALUE" in two. */
@@ -150,7 +150,7 @@ namespace apps
       if (scaled.interrupted)
         return exit_interrupted;
       InversionQuestion last = question;
-      last.targets           = scaled.rounds.back().asked;
+      last.targets           = scaled.rounds.back().requested;
       const Inversion &found = scaled.rounds.back().found;
       nlohmann::json   json  = json_of(last, found);
       json["checked"]        = json_of(question, scaled);
@@ -213,8 +213,7 @@ namespace apps
     command
       .add_option("--check", scaling.study,
                   "Study that runs the constants found, with several packings: where a mean is off its target, the "
-                  "surfaces are asked "
-                  "for as much more or less, in rounds")
+                  "target of the surface is corrected by as much, in rounds")
       ->type_name("STUDY.prm");
     command.add_option("--tolerance", scaling.tolerance, "Of those means, over the targets; default: 0.05")
       ->type_name("SHARE")

@@ -1,6 +1,6 @@
-#include "apps/commands/asked_number.h"
 #include "apps/commands/command.h"
 #include "apps/commands/length_unit_option.h"
+#include "apps/commands/number_option.h"
 #include "apps/commands/scene_options.h"
 #include "apps/process/exit_status.h"
 #include "apps/process/interrupt.h"
@@ -72,7 +72,7 @@ namespace apps
                fmt::format("{}", result.packing_fraction)}};
     }
 
-    void tell(const char *what, const dem::CompactionResult &result)
+    void print_result(const char *what, const dem::CompactionResult &result)
     {
       const Eigen::Vector3d edges = result.edges;
       const std::string     size  = edges.minCoeff() == edges.maxCoeff() ?
@@ -92,7 +92,7 @@ namespace apps
       return dem::moulded_box(options.generator, box, [&](const dem::CompactionParameters &generator) {
         dem::CompactionResult made = compact_with_progress(generator);
         metadata                   = metadata_of(generator, made);
-        tell("mould", made);
+        print_result("mould", made);
         return made;
       });
     }
@@ -109,7 +109,7 @@ namespace apps
       dem::CompactionResult result =
         compact_with_progress(cut_out ? dem::cell_for_box(options.generator, box) : options.generator);
       metadata = metadata_of(options.generator, result);
-      tell("cell", result);
+      print_result("cell", result);
       return std::move(result.packing);
     }
 
@@ -148,7 +148,7 @@ namespace apps
     const auto with_default = [](const std::string &meaning, const auto value) {
       return fmt::format("{}; default: {}", meaning, value);
     };
-    add_asked_number(command, {"--radius", "particle radius", "m", {}}, make.radius, "Of every sphere [m]")
+    add_number_option(command, {"--radius", "particle radius", "m", {}}, make.radius, "Of every sphere [m]")
       ->type_name("R");
     CLI::Option *count =
       command

@@ -20,7 +20,7 @@ namespace apps
       bool                     together = false;
     };
 
-    std::vector<postprocess::PlotPanel> panels_asked_for(const PlotOptions           &options,
+    std::vector<postprocess::PlotPanel> panels_requested(const PlotOptions           &options,
                                                          const postprocess::CsvTable &series)
     {
       const std::string horizontal = options.horizontal.empty() ? abscissa_of(series) : options.horizontal;
@@ -44,7 +44,7 @@ namespace apps
       const std::filesystem::path picture = options.picture.empty() ?
                                               std::filesystem::path(options.folder) / "plot.png" :
                                               std::filesystem::path(options.picture);
-      const std::string           problem = postprocess::plot(picture, panels_asked_for(options, series));
+      const std::string           problem = postprocess::plot(picture, panels_requested(options, series));
       if (!problem.empty())
         throw base::InputError(picture.string() + ": " + problem);
       fmt::print("{}\n", picture.string());

@@ -33,7 +33,7 @@ set(apps_commands_sources
   bench/volume.cc
   commands/all.cc
   commands/analyse.cc
-  commands/asked_number.cc
+  commands/number_option.cc
   commands/bench.cc
   commands/bench_calibration.cc
   commands/bench_confined.cc

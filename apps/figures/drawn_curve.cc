@@ -78,12 +78,12 @@ namespace apps
 
   std::string chosen_column(const std::vector<std::string> &columns,
                             const char                     *entry,
-                            const std::string              &asked,
+                            const std::string              &requested,
                             const std::string              &otherwise)
   {
-    if (!asked.empty() && std::find(columns.begin(), columns.end(), asked) == columns.end())
-      throw base::InputError(std::string("Output/") + entry + " = " + asked + ": series.csv has no such column. " +
-                             did_you_mean(asked, columns));
-    return asked.empty() ? otherwise : asked;
+    if (!requested.empty() && std::find(columns.begin(), columns.end(), requested) == columns.end())
+      throw base::InputError(std::string("Output/") + entry + " = " + requested + ": series.csv has no such column. " +
+                             did_you_mean(requested, columns));
+    return requested.empty() ? otherwise : requested;
   }
 } // namespace apps

@@ -35,6 +35,6 @@ namespace apps
    */
   std::string chosen_column(const std::vector<std::string> &columns,
                             const char                     *entry,
-                            const std::string              &asked,
+                            const std::string              &requested,
                             const std::string              &otherwise);
 } // namespace apps

@@ -198,10 +198,10 @@ namespace apps
            work;
   }
 
-  std::string warning_lines(const std::vector<LabNotes> &tests)
+  std::string warning_lines(const std::vector<std::string> &warnings)
   {
     std::string text;
-    for (const std::string &warning : warnings_of(tests))
+    for (const std::string &warning : warnings)
       text += fmt::format("warning      {}\n", warning);
     return text;
   }

@@ -61,12 +61,12 @@ namespace apps
   nlohmann::json json_of(const LabNotes &test);
   /** What casts doubt on the figures: a crack at a grip, particles pressed deep into each other. */
   std::vector<std::string> warnings_of(const std::vector<LabNotes> &tests);
+  /** The same as lines for the terminal. */
+  std::string warning_lines(const std::vector<std::string> &warnings);
   /** One line for the terminal: strength, modulus, crack. */
   std::string text_of(const LabNotes &test);
   /** The curve of one test, upwards in compression as well. @param strain, stress tension positive [-], [Pa] */
   postprocess::PlotPanel panel_of(UniaxialLoad load, const base::Column &strain, const base::Column &stress);
-  /** Lines for the terminal of what casts doubt. */
-  std::string warning_lines(const std::vector<LabNotes> &tests);
   /** Section and gauge length, as long as there are grips. */
   std::string basis_of(const LabNotes &test);
 } // namespace apps

@@ -30,8 +30,8 @@ namespace apps
     using Model  = typename Test::Model;
     using Result = typename Test::Result;
 
-    LabRun(const RunRequest &asked, const Model &what)
-      : request(asked)
+    LabRun(const RunRequest &requested, const Model &what)
+      : request(requested)
       , model(what)
     {
     }

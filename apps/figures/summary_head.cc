@@ -9,7 +9,7 @@ namespace apps
   nlohmann::json summary_head(const RunRequest &request, const std::string &kind)
   {
     return {{"scene", request.scene_file},
-            {"asked", {{"kind", kind}, {"overrides", request.overrides}}},
+            {"requested", {{"kind", kind}, {"overrides", request.overrides}}},
             {"version", version()}};
   }
 

@@ -30,7 +30,7 @@ namespace apps
 
   namespace
   {
-    /** The vessel with all edges so much longer, each rounded up to four digits, as a message can tell it. */
+    /** The vessel with all edges so much longer, each rounded up to four digits, as messages give it. */
     dem::Vessel enlarged(dem::Vessel vessel, const double factor)
     {
       for (int d = 0; d < vessel.dimension; ++d)

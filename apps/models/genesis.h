@@ -28,7 +28,7 @@ namespace apps
     dem::AggregateParameters parameters(std::uint64_t seed) const;
   };
 
-  /** A class of sizes in a vessel: what was asked, and how many whole particles it has. */
+  /** A class of sizes in a vessel: its requested part, and how many whole particles it has. */
   struct ClassInVessel
   {
     dem::SizeClass size;

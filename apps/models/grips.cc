@@ -31,13 +31,13 @@ namespace apps
     return p;
   }
 
-  std::string text_of(const dem::GripLayers &layers, const dem::GripParameters &asked)
+  std::string text_of(const dem::GripLayers &layers, const dem::GripParameters &requested)
   {
-    const char *gauge = asked.gauge == dem::Gauge::inner_faces       ? "between the grips' inner faces" :
-                        asked.gauge == dem::Gauge::outermost_centres ? "between the outermost centres" :
-                                                                       "between planes";
+    const char *gauge = requested.gauge == dem::Gauge::inner_faces       ? "between the grips' inner faces" :
+                        requested.gauge == dem::Gauge::outermost_centres ? "between the outermost centres" :
+                                                                           "between planes";
     return fmt::format("section {:.5g} m^2 ({}), gauge length {:.5g} m ({}), {} and {} particles gripped",
-                       layers.section, asked.area > 0 ? "as given" : nominal, layers.gauge_length, gauge,
+                       layers.section, requested.area > 0 ? "as given" : nominal, layers.gauge_length, gauge,
                        layers.low.size(), layers.high.size());
   }
 } // namespace apps

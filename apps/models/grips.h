@@ -21,5 +21,5 @@ namespace apps
   };
 
   /** Section and gauge length in words, for the terminal. */
-  std::string text_of(const dem::GripLayers &layers, const dem::GripParameters &asked);
+  std::string text_of(const dem::GripLayers &layers, const dem::GripParameters &requested);
 } // namespace apps

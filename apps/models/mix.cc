@@ -94,7 +94,7 @@ namespace apps
     return all;
   }
 
-  double MixSection::asked_content() const
+  double MixSection::prescribed_content() const
   {
     const dem::GradingCurve of = grading_curve();
     return all_aggregates() * of.between(smallest, of.largest());
@@ -104,9 +104,9 @@ namespace apps
   {
     const dem::GradingCurve of = grading_curve();
     if (sizes == Sizes::drawn)
-      return dem::drawn_sizes(of, smallest, asked_content() * box.prod(), static_cast<std::uint64_t>(seed));
+      return dem::drawn_sizes(of, smallest, prescribed_content() * box.prod(), static_cast<std::uint64_t>(seed));
     return increment > 0 ? dem::sizes_by_increment(of, smallest, increment) :
-                           dem::sizes_for_volume(of, smallest, asked_content() * box.prod());
+                           dem::sizes_for_volume(of, smallest, prescribed_content() * box.prod());
   }
 
   dem::PlacedAggregates MixSection::placed_in(const Eigen::Vector3d &box, const bool periodic) const

@@ -68,10 +68,10 @@ namespace apps
     /** The same of a periodic cell, whose edges are known once its particles are. @throws base::InputError */
     void check_for_cell(const base::EntryPath &specimen) const;
 
-    dem::MixVolumes       volumes() const;        ///< @pre there are constituents
-    dem::GradingCurve     grading_curve() const;  ///< @throws base::InputError
-    double                all_aggregates() const; ///< part of the volume, of every size [-]
-    double                asked_content() const;  ///< likewise, of modelled sizes
+    dem::MixVolumes       volumes() const;            ///< @pre there are constituents
+    dem::GradingCurve     grading_curve() const;      ///< @throws base::InputError
+    double                all_aggregates() const;     ///< part of the volume, of every size [-]
+    double                prescribed_content() const; ///< likewise, of modelled sizes
     dem::AggregateSizes   sizes_in(const Eigen::Vector3d &box) const;
     dem::PlacedAggregates placed_in(const Eigen::Vector3d &box, bool periodic) const;
     /** The box of which a plane model is the section z = 0: periodic, and twice as deep as the largest aggregate. @param box in the plane [m] */

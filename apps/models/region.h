@@ -26,7 +26,7 @@ namespace apps
 
     /** @throws base::InputError for a box inside out, or a cylinder without length. */
     void check(const base::EntryPath &section, int dimension) const;
-    /** In two dimensions z is not looked at: a rectangle, a circle, a strip. Its border belongs to it. */
+    /** In two dimensions z is ignored: a rectangle, a circle, a strip. Its border belongs to it. */
     bool holds(const Eigen::Vector3d &place, int dimension) const;
     /** Whether any place of the straight line between the two is held. */
     bool meets(const Eigen::Vector3d &one, const Eigen::Vector3d &other, int dimension) const;

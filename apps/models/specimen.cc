@@ -10,17 +10,17 @@ namespace apps
 {
   dem::CompactionParameters SpecimenSection::compaction() const
   {
-    dem::CompactionParameters asked;
-    asked.radius       = generator.radius;
-    asked.seed         = static_cast<std::uint64_t>(generator.seed);
-    asked.friction     = generator.friction;
-    asked.damping      = generator.damping;
-    asked.low_pressure = generator.pressure;
+    dem::CompactionParameters requested;
+    requested.radius       = generator.radius;
+    requested.seed         = static_cast<std::uint64_t>(generator.seed);
+    requested.friction     = generator.friction;
+    requested.damping      = generator.damping;
+    requested.low_pressure = generator.pressure;
     if (generator.cell_count > 0)
-      asked.count = static_cast<std::size_t>(generator.cell_count);
+      requested.count = static_cast<std::size_t>(generator.cell_count);
     else if (has_box() && !is_moulded())
-      return dem::cell_for_box(asked, box_edges());
-    return asked;
+      return dem::cell_for_box(requested, box_edges());
+    return requested;
   }
 
   void SpecimenSection::check(const base::EntryPath &root, const int dimension) const

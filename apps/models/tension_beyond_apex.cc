@@ -54,17 +54,17 @@ namespace apps
   std::vector<std::string> tension_beyond_apex(const MaterialSection &materials)
   {
     std::vector<std::string> found;
-    const auto               look = [&](const std::string &section, const dem::LinkConstants &constants) {
+    const auto               find_doubts = [&](const std::string &section, const dem::LinkConstants &constants) {
       if (std::string doubt = doubt_about(section, constants); !doubt.empty())
         found.push_back(std::move(doubt));
     };
     if (materials.named.empty() && materials.only.law != nullptr)
-      look("Material", materials.only.chosen());
+      find_doubts("Material", materials.only.chosen());
     for (const NamedMaterial &material : materials.named)
-      look("Materials/" + material.name, material.law.chosen());
+      find_doubts("Materials/" + material.name, material.law.chosen());
     for (const MaterialInterface &interface : materials.interfaces)
       if (const dem::LinkLawKind *law = interface.law_among(materials.named); law != nullptr && interface.bonded)
-        look("Interfaces/" + interface.name, *interface.constants_by(*law, materials.named));
+        find_doubts("Interfaces/" + interface.name, *interface.constants_by(*law, materials.named));
     return found;
   }
 

@@ -61,7 +61,7 @@ namespace optimisation
     std::string ending_of(const nlopt_result result)
     {
       if (result == NLOPT_STOPVAL_REACHED)
-        return "the sum of squares is as small as asked for";
+        return "the sum of squares is as small as required";
       if (result == NLOPT_XTOL_REACHED || result == NLOPT_FTOL_REACHED || result == NLOPT_ROUNDOFF_LIMITED)
         return "its steps are smaller than a tenth of those of the differences";
       return "as many evaluations as it may take";

@@ -22,9 +22,9 @@ namespace optimisation
     Eigen::VectorXd within_bounds(const Eigen::VectorXd &place) const;
 
     std::optional<Eigen::VectorXd> at(const Eigen::VectorXd &place);
-    /** Those that at() will be asked for, at the same time. */
+    /** Those that at() will return, evaluated at the same time. */
     void prepare(const std::vector<Eigen::VectorXd> &places) { evaluate(places); }
-    /** From now on Jacobians do not ask for these variables: their columns are zero. */
+    /** From now on Jacobians are without derivatives by these variables: their columns are zero. */
     void leave_out(const std::vector<int> &variables) { left_out = variables; }
     /** Nothing where a variable can be moved neither up nor down. */
     std::optional<Eigen::MatrixXd> jacobian(const Eigen::VectorXd &place);

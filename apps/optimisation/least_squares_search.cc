@@ -108,13 +108,13 @@ namespace optimisation
                           const EvaluatedResiduals     &evaluated)
     {
       if (2 * summary.final_cost <= options.smallest_sum)
-        return "the sum of squares is as small as asked for";
+        return "the sum of squares is as small as required";
       if (evaluated.evaluations() >= options.most_evaluations)
         return "as many evaluations as it may take";
       switch (summary.termination_type)
         {
         case ceres::CONVERGENCE:
-          return "a step makes the sum of squares smaller by less than asked for";
+          return "a step makes the sum of squares smaller by less than required";
         case ceres::USER_SUCCESS:
           return "its steps are much shorter than those of the differences";
         case ceres::NO_CONVERGENCE:

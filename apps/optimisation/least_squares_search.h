@@ -37,7 +37,7 @@ namespace optimisation
   struct LeastSquaresFit
   {
     Eigen::VectorXd place, residuals;
-    Eigen::MatrixXd jacobian; ///< of the residuals, by differences at the place; empty where it was not asked for
+    Eigen::MatrixXd jacobian; ///< of the residuals, by differences at the place; empty where it was not requested
     int             evaluations = 0, failed = 0;
     bool            converged = false;
     std::string     ending; ///< why it ended, a sentence

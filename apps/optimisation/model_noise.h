@@ -4,7 +4,7 @@
 
 namespace optimisation
 {
-  /** When the noise of a model, which is what its answers are off a smooth function of its variables by, is looked for. */
+  /** When the noise of a model, the distance of its answers from a smooth function of its variables, is measured. */
   enum class NoiseSearch
   {
     where_it_matters, ///< along one line first
@@ -21,7 +21,7 @@ namespace optimisation
     int             most_evaluations = 1000000; ///< derivatives are taken anew only where that is possible with no more
   };
 
-  /** The end of a search, with what its noise has made of it put right. */
+  /** The end of a search, corrected for its noise. */
   struct ModelAtEnd
   {
     Eigen::VectorXd place, residuals; ///< those of the search where noise does not matter

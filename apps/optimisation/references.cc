@@ -60,7 +60,7 @@ namespace optimisation
           for (const ReferenceProblem::Constants &start : problem.starts)
             {
               LeastSquaresFit fit = fitted(problem, vector_of(start));
-              fit = fitted(problem, fit.place); // once more, with differences as wide as the answer asks for
+              fit = fitted(problem, fit.place); // once more, with differences as wide as suit the answer
               const statistics::Uncertainty sure =
                 statistics::uncertainty(fit.jacobian, fit.residuals, fit.place.cwiseAbs(), {{}, 0, 1e14});
               sums.push_back(fit.sum_of_squares());

@@ -42,7 +42,7 @@ namespace optimisation
     };
 
     /** One calibration. @param observed with its own errors */
-    void calibrate_once(const SyntheticCalibrations &asked,
+    void calibrate_once(const SyntheticCalibrations &requested,
                         const unsigned int           specimen,
                         const Eigen::VectorXd       &observed,
                         Coverage                    &found)
@@ -57,7 +57,7 @@ namespace optimisation
       problem.residuals = [&](const std::vector<Eigen::VectorXd> &places) {
         std::vector<std::optional<Eigen::VectorXd>> all;
         for (const Eigen::VectorXd &place : places)
-          all.emplace_back((rough_stresses(place, asked.model_scatter, specimen) - observed) / asked.deviation);
+          all.emplace_back((rough_stresses(place, requested.model_scatter, specimen) - observed) / requested.deviation);
         return all;
       };
       LeastSquaresOptions options;
@@ -68,10 +68,10 @@ namespace optimisation
       const auto   fit          = least_squares(problem, options);
       NoiseOptions by_default;
       by_default.wide_steps              = wide_step * ranges;
-      by_default.deviation               = asked.known ? 1 : 0;
+      by_default.deviation               = requested.known ? 1 : 0;
       const auto                     end = model_at_end(problem, options, fit, by_default);
       statistics::UncertaintyOptions all;
-      all.known_scatter  = asked.known ? 1 : 0;
+      all.known_scatter  = requested.known ? 1 : 0;
       const auto narrow  = statistics::uncertainty(end.jacobian, end.residuals, ranges, all);
       all.model_noise    = end.noise;
       all.noise_share    = end.share;
@@ -100,17 +100,17 @@ namespace optimisation
     return all;
   }
 
-  Coverage coverage_of(const SyntheticCalibrations &asked)
+  Coverage coverage_of(const SyntheticCalibrations &requested)
   {
     std::mt19937               stream(7);
-    std::normal_distribution<> noise(0, asked.deviation);
+    std::normal_distribution<> noise(0, requested.deviation);
     Coverage                   found;
-    for (int calibration = 0; calibration < asked.count; ++calibration)
+    for (int calibration = 0; calibration < requested.count; ++calibration)
       {
-        Eigen::VectorXd observed = rough_stresses(SoughtTruth().truth, asked.model_scatter, calibration);
+        Eigen::VectorXd observed = rough_stresses(SoughtTruth().truth, requested.model_scatter, calibration);
         for (double &stress : observed)
           stress += noise(stream);
-        calibrate_once(asked, calibration, observed, found);
+        calibrate_once(requested, calibration, observed, found);
       }
     return found;
   }

@@ -16,7 +16,7 @@ namespace optimisation
     double deviation = 0.02; ///< of what is measured; the largest stress is 1.8
     double model_scatter =
       0; ///< of a run, which any change of its constants, however small, draws anew: of specimens that break
-    bool known = true; ///< whether the deviation is told
+    bool known = true; ///< whether the deviation is given
     int  count = 200;
   };
 
@@ -30,5 +30,5 @@ namespace optimisation
   };
 
   /** Sought as `breccia calibrate` does by default (doc/theory/studies.md, 8); the same in every call. */
-  Coverage coverage_of(const SyntheticCalibrations &asked);
+  Coverage coverage_of(const SyntheticCalibrations &requested);
 } // namespace optimisation

@@ -103,7 +103,7 @@ namespace apps
       throw base::InputError(
         "MPI: has been started by another part of this program (mpi4py, say), and finite elements must start it "
         "themselves. Make the first solid before that part is loaded.");
-    // Without a launcher, Open MPI looks for an ssh by which it could launch others, and gives up without one.
+    // Without a launcher, Open MPI searches for an ssh by which it could launch others, and gives up without one.
     if (launched_ranks() == 1)
       ::setenv("OMPI_MCA_plm", "isolated", 0);
     const FolderForMpi folder;

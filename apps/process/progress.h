@@ -6,7 +6,7 @@
 namespace apps
 {
   /**
-   * Tells how far a long piece of work is: on a terminal one line that updates itself, otherwise one line a minute.
+   * Shows how far a long piece of work is: on a terminal one line that updates itself, otherwise one line a minute.
    *
    * Work that says nothing for long (a factorisation, the search for links) is spoken for by a thread of its own, so that
    * the lines come in any case. One piece of work may be part of another: the innermost is shown. Written to the standard

@@ -59,18 +59,18 @@ namespace apps
       return sum;
     }
 
-    /** Processors with nothing to do, out of so many: the most of a few looks, so that a short burst does not count. */
+    /** Processors with nothing to do, out of so many: the most of a few samples, so that a short burst does not count. */
     double idle_processors(const int processors)
     {
       if (processors == 1)
         return 1;
-      constexpr int                       looks = 3;
-      constexpr std::chrono::milliseconds look{100};
+      constexpr int                       samples = 3;
+      constexpr std::chrono::milliseconds interval{100};
       double                              most = 0;
-      for (int i = 0; i < looks && most < processors - 0.5; ++i)
+      for (int i = 0; i < samples && most < processors - 0.5; ++i)
         {
           const Ticks before = ticks_now();
-          std::this_thread::sleep_for(look);
+          std::this_thread::sleep_for(interval);
           const Ticks after = ticks_now();
           if (!(after.all > before.all))
             return processors; // nothing can be known here
@@ -116,11 +116,11 @@ namespace apps
                                              left_to_others == 1 ? "one is" : "others are");
   }
 
-  void use_threads(const int asked)
+  void use_threads(const int requested)
   {
     const int processors = omp_get_num_procs();
-    int       threads    = asked > 0 ? asked : omp_get_max_threads();
-    if (asked == 0 && !std::getenv("OMP_NUM_THREADS") && launched_ranks() == 1)
+    int       threads    = requested > 0 ? requested : omp_get_max_threads();
+    if (requested == 0 && !std::getenv("OMP_NUM_THREADS") && launched_ranks() == 1)
       {
         threads        = std::clamp(static_cast<int>(std::floor(idle_processors(processors) + 0.5)), 1, processors);
         left_to_others = processors - threads;

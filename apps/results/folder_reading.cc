@@ -48,6 +48,8 @@ namespace apps
     result.summary      = nlohmann::json::parse(postprocess::numeric_text::read_whole(file), nullptr, false);
     if (!result.summary.is_object())
       throw base::InputError(file.string() + ": not a summary of a run.");
+    if (result.summary.contains("asked")) // of earlier versions
+      result.summary["requested"] = result.summary["asked"];
     const fs::path series = folder / "series.csv";
     if (fs::is_regular_file(series))
       result.series = postprocess::read_csv_table(series, true, word_columns(series));

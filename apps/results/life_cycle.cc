@@ -96,13 +96,13 @@ namespace apps
 
   // --- The run ---
 
-  LifeCycle::LifeCycle(const RunRequest &asked, const double checkpoint_interval, RunWork &what)
-    : request(asked)
+  LifeCycle::LifeCycle(const RunRequest &requested, const double checkpoint_interval, RunWork &what)
+    : request(requested)
     , work(what)
-    , location(asked.output_folder.empty() ? std::filesystem::path() : asked.output_folder / "running")
+    , location(requested.output_folder.empty() ? std::filesystem::path() : requested.output_folder / "running")
     , clock(checkpoint_interval)
   {
-    result.folder = asked.output_folder;
+    result.folder = requested.output_folder;
   }
 
   RunResult LifeCycle::execute()
@@ -127,7 +127,7 @@ namespace apps
     const Surroundings around(request);
     if (result.end == RunResult::End::complete)
       complete();
-    tell(request, &RunObserver::ends, result);
+    notify(request, &RunObserver::ends, result);
     return std::move(result);
   }
 
@@ -135,7 +135,7 @@ namespace apps
   {
     if (keeps_files() && !request.restart)
       on_first_rank([&] { refuse_to_overwrite(request.output_folder); });
-    tell(request, &RunObserver::prepares);
+    notify(request, &RunObserver::prepares);
     work.prepare();
     result.series = empty_series(work.series_columns(), "series");
     if (keeps_files())
@@ -147,7 +147,7 @@ namespace apps
         keep_files(true);
       }
     const RunOutline outline{request.scene_file, work.size(), work.series_columns(), location, false};
-    tell(request, &RunObserver::begins, outline);
+    notify(request, &RunObserver::begins, outline);
     work.begin([this](const SeriesRow &row) { record(row); });
   }
 
@@ -170,7 +170,7 @@ namespace apps
       result.series = files->go_on(work.series_columns(), rows);
     });
     const RunOutline outline{request.scene_file, work.size(), work.series_columns(), location, true};
-    tell(request, &RunObserver::begins, outline);
+    notify(request, &RunObserver::begins, outline);
   }
 
   void LifeCycle::by_those_who_write(const std::function<void()> &action) const
@@ -208,7 +208,7 @@ namespace apps
       return;
     clock.save([this] { write_checkpoint(); });
     result.go_on = way_to_go_on(request);
-    tell(request, &RunObserver::saved, result.go_on);
+    notify(request, &RunObserver::saved, result.go_on);
   }
 
   void LifeCycle::write_checkpoint()
@@ -225,7 +225,7 @@ namespace apps
     append(result.series, row);
     if (keeps_files())
       on_first_rank([&] { files->record(row); });
-    tell(request, &RunObserver::row, row);
+    notify(request, &RunObserver::row, row);
   }
 
   bool LifeCycle::go_on()
@@ -239,10 +239,10 @@ namespace apps
     if (work.stage() != result.stage)
       {
         result.stage = work.stage();
-        tell(request, &RunObserver::stage, result.stage);
+        notify(request, &RunObserver::stage, result.stage);
       }
     advance();
-    tell(request, &RunObserver::progress, work.done(), work.details());
+    notify(request, &RunObserver::progress, work.done(), work.details());
     if (interrupted_on_any_rank())
       {
         interrupt();
@@ -282,7 +282,7 @@ namespace apps
     constexpr double worth_saving = 10; // seconds of work that an interrupt of the last words would lose
     if (on_any_rank(clock.seconds_since_saved() > worth_saving))
       save();
-    tell(request, &RunObserver::stage, "results");
+    notify(request, &RunObserver::stage, "results");
     if (keeps_files())
       on_first_rank([&] { files->flush(); });
     RunFindings found = work.findings(result.series, wall_seconds());

@@ -44,7 +44,7 @@ namespace apps
       close(descriptor);
       if (reason == EWOULDBLOCK)
         refuse(path, "another run is writing to this folder", "choose another one with -o, or wait for it");
-      return -1; // a file system without locks: the user has to look after it
+      return -1; // a file system without locks: the user has to take care of it
     }
   } // namespace
 

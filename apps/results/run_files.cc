@@ -23,9 +23,9 @@ namespace apps
       request.scene_file = begun;
   }
 
-  RunFiles::RunFiles(const RunRequest &asked)
-    : request(asked)
-    , folder(asked.output_folder, asked.resume ? ResultFolder::Start::resume : ResultFolder::Start::afresh)
+  RunFiles::RunFiles(const RunRequest &requested)
+    : request(requested)
+    , folder(requested.output_folder, requested.resume ? ResultFolder::Start::resume : ResultFolder::Start::afresh)
   {
   }
 

@@ -11,7 +11,7 @@
 
 namespace apps
 {
-  /** Ask for a run to go on: under the name of the scene that it was begun with, not of its copy in the folder. */
+  /** Request that a run goes on: under the name of the scene that it was begun with, not of its copy in the folder. */
   void ask_to_go_on(RunRequest &request);
 
   /**

@@ -52,9 +52,9 @@ namespace apps
     virtual bool shows_progress() const { return false; }
   };
 
-  /** Call one of its functions for every observer of a request: tell(request, &RunObserver::says, lines). */
+  /** Call one of its functions for every observer of a request: notify(request, &RunObserver::says, lines). */
   template <typename... Declared, typename... Given>
-  void tell(const RunRequest &request, void (RunObserver::*what)(Declared...), const Given &...given)
+  void notify(const RunRequest &request, void (RunObserver::*what)(Declared...), const Given &...given)
   {
     for (RunObserver *observer : request.observers)
       (observer->*what)(given...);

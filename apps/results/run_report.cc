@@ -55,12 +55,12 @@ namespace apps
 
     void add_question(postprocess::HtmlPage &page, const RunRequest &request, const nlohmann::json &summary)
     {
-      const nlohmann::json asked = summary.value("asked", nlohmann::json::object());
-      page.heading("What was asked");
+      const nlohmann::json requested = summary.value("requested", nlohmann::json::object());
+      page.heading("Request");
       page.paragraph(fmt::format("Scene {} of kind {}, computed by Breccia {}.", request.scene_file,
-                                 asked.value("kind", ""), summary.value("version", "")));
+                                 requested.value("kind", ""), summary.value("version", "")));
       std::vector<std::string> changes;
-      for (const std::string &change : asked.value("overrides", std::vector<std::string>()))
+      for (const std::string &change : requested.value("overrides", std::vector<std::string>()))
         changes.push_back("changed: " + change);
       page.list(changes);
       add_scene(page, request.scene_text, request.inputs);

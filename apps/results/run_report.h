@@ -13,7 +13,7 @@ namespace apps
   struct RunResult;
 
   /**
-   * A page of a run that is complete (postprocess::HtmlPage): what was asked, warnings, figures, energies, cost, the series as curves, the
+   * A page of a run that is complete (postprocess::HtmlPage): the request, warnings, figures, energies, cost, the series as curves, the
    * pictures of its folder; in it the scene and the files that it names, from which "breccia run PAGE" gives the same bits again.
    * @param request its scene and inputs @param result with the folder of its pictures
    * @throws base::InputError for pictures and inputs that cannot be read; postprocess::OutputError
@@ -31,8 +31,8 @@ namespace apps
   {
   public:
     /** @param request must outlive it */
-    explicit RunReport(const RunRequest &asked)
-      : request(asked)
+    explicit RunReport(const RunRequest &requested)
+      : request(requested)
     {
     }
     void ends(const RunResult &result) override;

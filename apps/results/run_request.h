@@ -33,8 +33,8 @@ namespace apps
     std::vector<InputFile>   inputs;          ///< files that the scene names
 
     std::vector<RunObserver *>
-      observers; ///< are told of the run as it goes (apps/results/run_observer.h); they must outlive it
-    /** Whether the run shall stop and save its state, besides when the process is interrupted. Asked often; empty: it shall not. */
+      observers; ///< are notified of the run as it goes (apps/results/run_observer.h); they must outlive it
+    /** Whether the run shall stop and save its state, besides when the process is interrupted. Called often; empty: it shall not. */
     std::function<bool()> stop;
   };
 } // namespace apps

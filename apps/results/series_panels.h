@@ -19,7 +19,7 @@ namespace apps
                                           const std::string              &horizontal,
                                           const std::vector<std::string> &verticals);
 
-  /** A panel for each column of a series that changes, energies apart, up to a number that can be looked at. */
+  /** A panel for each column of a series that changes, energies apart, up to a number that a reader can take in. */
   std::vector<postprocess::PlotPanel> panels_of_columns(const postprocess::CsvTable &series);
   /** Its energies together, and apart what their balances are off by; nothing where it has none. */
   std::vector<postprocess::PlotPanel> panels_of_energies(const postprocess::CsvTable &series);

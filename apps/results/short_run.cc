@@ -10,8 +10,8 @@
 
 namespace apps
 {
-  ShortRun::ShortRun(const RunRequest &asked, const std::string &what)
-    : request(asked)
+  ShortRun::ShortRun(const RunRequest &requested, const std::string &what)
+    : request(requested)
   {
     if (request.resume)
       throw base::InputError("--resume: " + what + " has no checkpoint. Run it again.");
@@ -24,11 +24,11 @@ namespace apps
     return interrupted_on_any_rank();
   }
 
-  void ShortRun::says(const std::string &lines) { tell(request, &RunObserver::says, lines); }
+  void ShortRun::says(const std::string &lines) { notify(request, &RunObserver::says, lines); }
 
   RunResult ShortRun::ended()
   {
-    tell(request, &RunObserver::ends, result);
+    notify(request, &RunObserver::ends, result);
     return std::move(result);
   }
 

@@ -7,7 +7,7 @@
 
 namespace apps
 {
-  /** Tells how far a run is, and nothing else: one that is part of a larger run. */
+  /** Shows how far a run is, and nothing else: one that is part of a larger run. */
   class ProgressLine : public RunObserver
   {
   public:
@@ -20,7 +20,7 @@ namespace apps
     std::optional<Progress> line;
   };
 
-  /** Tells a run on the terminal: how it begins, how far it is, what it found, how an interrupted one goes on. */
+  /** Shows a run on the terminal: how it begins, how far it is, what it found, how an interrupted one goes on. */
   class Terminal : public ProgressLine
   {
   public:

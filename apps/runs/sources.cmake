@@ -7,6 +7,7 @@ set(runs_sources
   figures/lab_report.cc
   figures/link_failure.cc
   figures/motion_report.cc
+  figures/sampled_motion.cc
   figures/sampling.cc
   figures/series_figures.cc
   results/series_panels.cc

@@ -4,6 +4,6 @@
 
 namespace apps
 {
-  /** One sentence on what people look for under this name and Breccia does not have, or has in another way; "" for anything else. */
+  /** One sentence on what has this name elsewhere and Breccia does not have, or has in another way; "" for anything else. */
   std::string absent(const std::string &typed);
 } // namespace apps

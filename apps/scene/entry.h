@@ -8,6 +8,13 @@
 
 namespace apps
 {
+  /** When an entry is needed, and the same in words: "Shape = plane". */
+  struct Condition
+  {
+    std::function<bool()> holds; ///< evaluated after reading
+    std::string           words;
+  };
+
   /**
    * One declared parameter: what it means, what it accepts, where its value goes and, after reading, where it came
    * from.
@@ -28,7 +35,7 @@ namespace apps
     Place       place;            ///< of the value, if set
 
     std::string           condition; ///< when the entry is needed, in words; "" for always
-    std::function<bool()> holds;     ///< the same, asked after reading
+    std::function<bool()> holds;     ///< the same, evaluated after reading
 
     /** Stores the value of a text. @return what is wrong with it, "" if nothing. */
     std::function<std::string(const std::string &text, const Place &from)> store;
@@ -39,15 +46,16 @@ namespace apps
       return *this;
     }
 
-    /** The scene must say only if the condition holds. */
-    Entry &only_if(std::function<bool()> asked, std::string words)
+    /** The entry is needed only if the condition holds. */
+    Entry &only_if(std::function<bool()> is_needed, std::string words)
     {
-      holds     = std::move(asked);
+      holds     = std::move(is_needed);
       condition = std::move(words);
       return *this;
     }
+    Entry &only_if(const Condition &needed) { return only_if(needed.holds, needed.words); }
 
-    /** Tell a member whether the scene has given a value. */
+    /** Keep in a member whether the scene has given a value. */
     Entry &notes(bool &given)
     {
       store = [&given, keep = std::move(store)](const std::string &text, const Place &from) {

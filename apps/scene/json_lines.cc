@@ -10,7 +10,7 @@ namespace apps
 {
   namespace
   {
-    /** Reads characters and counts the lines, since the JSON reader does not tell where it is. */
+    /** Reads characters and counts the lines, since the JSON reader does not say where it is. */
     class CountingIterator
     {
     public:

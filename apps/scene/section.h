@@ -95,6 +95,18 @@ namespace apps
      * @param declare gives a newly opened one its entries.
      */
     void named_sections(const std::string &placeholder, std::function<void(Section &)> declare);
+    /**
+     * The same, each an element added to a list: it keeps its name, and gets its entries by declare(section, element).
+     * @param list of which elements stay where they are as others are added
+     */
+    template <typename List>
+    void named_list(const std::string &placeholder, List &list, std::string List::value_type::*name);
+    /** @param declare_element in place of that declare() */
+    template <typename List, typename Declare>
+    void named_list(const std::string &placeholder,
+                    List              &list,
+                    std::string List::value_type::*name,
+                    Declare                        declare_element);
     /** The sub-section, opened now if its name is the scene's choice; nullptr if there is none of that name. */
     Section *open_section(const std::string &subsection, const Place &from);
     /** One sub-section named by the placeholder wherever names are the scene's choice: for descriptions. */
@@ -153,6 +165,26 @@ namespace apps
     std::vector<std::unique_ptr<Entry>>   own_entries;
     std::vector<std::unique_ptr<Section>> subsections;
   };
+
+  template <typename List>
+  void Section::named_list(const std::string &placeholder_of_names, List &list, std::string List::value_type::*name_of)
+  {
+    named_list(placeholder_of_names, list, name_of,
+               [](Section &opened, typename List::value_type &added) { declare(opened, added); });
+  }
+
+  template <typename List, typename Declare>
+  void Section::named_list(const std::string &placeholder_of_names,
+                           List              &list,
+                           std::string List::value_type::*name_of,
+                           Declare                        declare_element)
+  {
+    named_sections(placeholder_of_names, [&list, name_of, declare_element](Section &opened) {
+      typename List::value_type &added = list.emplace_back();
+      added.*name_of                   = opened.name();
+      declare_element(opened, added);
+    });
+  }
 
   template <typename Value>
   Entry &Section::choice(const std::string                                  &entry,

@@ -23,6 +23,7 @@ set(scenes_sources
   scene/entries/material.cc
   scene/entries/material_region.cc
   scene/entries/output.cc
+  scene/entries/path_steps.cc
   scene/entries/precice.cc
   scene/entries/physics.cc
   scene/entries/region.cc

@@ -5,7 +5,7 @@
 namespace apps
 {
   /**
-   * What to ask about a number that is in its range, but of a size that its quantity hardly has: "3" for a strength of 3 MPa in Pa,
+   * The question about a number that is in its range, but of a size that its quantity hardly has: "3" for a strength of 3 MPa in Pa,
    * "38" for a coefficient of friction. "" for nothing; 0, where it is allowed, is a word: none, or that of something else.
    *
    * Whoever means the number names the unit behind it: "3 Pa", or "38 -" for a pure number.

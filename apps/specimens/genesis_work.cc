@@ -81,7 +81,7 @@ namespace apps
                               {"largest_m", one.size.largest},
                               {"particles", one.count},
                               {"part_of_solid", one.part},
-                              {"part_asked_for", one.size.fraction}});
+                              {"part_requested", one.size.fraction}});
     all["bonds"]    = {{"installation_gap_m", specimen.installation_gap},
                        {"count", bonds.pairs},
                        {"per_particle", static_cast<double>(bonds.pairs) / static_cast<double>(n)},

@@ -17,7 +17,7 @@ namespace apps
   MixFigures mix_figures(const MixSection &mix, const MixBox &box)
   {
     MixFigures f{
-      mix.grading_curve(), mix.asked_content(), 0, mix.sizes_in(box.edges), mix.placed_in(box.edges, box.periodic),
+      mix.grading_curve(), mix.prescribed_content(), 0, mix.sizes_in(box.edges), mix.placed_in(box.edges, box.periodic),
       mix.smallest};
     f.reached = f.placed.structure.content();
     return f;
@@ -25,9 +25,9 @@ namespace apps
 
   std::string MixFigures::text() const
   {
-    return fmt::format("{} aggregates of {:.2f} to {:.2f} mm, {:.2f} % of the volume ({:.2f} % asked), {}",
+    return fmt::format("{} aggregates of {:.2f} to {:.2f} mm, {:.2f} % of the volume ({:.2f} % requested), {}",
                        sizes.diameters.size(), 1e3 * sizes.diameters.back(), 1e3 * sizes.diameters.front(),
-                       100 * reached, 100 * asked,
+                       100 * reached, 100 * requested,
                        placed.grown ? std::string("grown among each other") :
                                       fmt::format("placed at random after {} restarts", placed.restarts));
   }
@@ -37,7 +37,7 @@ namespace apps
     nlohmann::json found = {{"aggregates", sizes.diameters.size()},
                             {"smallest", sizes.diameters.back()},
                             {"largest", sizes.diameters.front()},
-                            {"content_asked", asked},
+                            {"content_requested", requested},
                             {"content", reached},
                             {"increment", sizes.increment},
                             {"curve_misfit", dem::largest_misfit(curve, smallest, sizes.diameters)},
@@ -51,7 +51,7 @@ namespace apps
                      [&](const double d) { return d < sieve.size; });
         found["sieves"].push_back(
           {{"size", sieve.size},
-           {"passing_asked", sieve.part},
+           {"passing_requested", sieve.part},
            {"passing",
             sieve.size < smallest ? sieve.part : fines + (1 - fines) * dem::volume_of_spheres(finer) / all}});
       }
@@ -65,12 +65,12 @@ namespace apps
     panel.y_label = "Passing [%]";
     panel.log_x   = true;
     panel.title   = fmt::format("{} aggregates", sizes.diameters.size());
-    postprocess::PlotSeries asked_curve, there;
-    asked_curve.name = "asked";
+    postprocess::PlotSeries requested_curve, there;
+    requested_curve.name = "requested";
     for (const dem::SievePart &sieve : curve.points())
       {
-        asked_curve.x.push_back(1e3 * sieve.size);
-        asked_curve.y.push_back(100 * sieve.part);
+        requested_curve.x.push_back(1e3 * sieve.size);
+        requested_curve.y.push_back(100 * sieve.part);
       }
     there.name         = "aggregates";
     there.style        = postprocess::PlotSeries::Style::line;
@@ -82,7 +82,7 @@ namespace apps
         there.x.push_back(1e3 * *d);
         there.y.push_back(100 * (fines + (1 - fines) * finer / all));
       }
-    panel.series = {asked_curve, there};
+    panel.series = {requested_curve, there};
     return postprocess::plot(file, {panel});
   }
 

@@ -26,18 +26,18 @@ namespace apps
    */
   void take_mix(dem::Packing &packing, const MixSection &mix, const MixBox &box, double linked);
 
-  /** Figures of the mix: asked and reached content, number, largest size, by class of sieves. */
+  /** Figures of the mix: requested and reached content, number, largest size, by class of sieves. */
   struct MixFigures
   {
     dem::GradingCurve     curve;
-    double                asked = 0, reached = 0; ///< part of the specimen that is aggregate [-]
+    double                requested = 0, reached = 0; ///< part of the specimen that is aggregate [-]
     dem::AggregateSizes   sizes;
     dem::PlacedAggregates placed;
     double                smallest;
 
     nlohmann::json json() const;
     std::string    text() const; ///< one line
-    /** Passing of what was asked and of what is there. @return why not, empty when drawn */
+    /** Requested passing, and that of the aggregates. @return why not, empty when drawn */
     std::string draw(const std::filesystem::path &file) const;
   };
 

@@ -46,7 +46,7 @@ namespace apps
     /** Class of each pair of these materials, in the order of dem::material_pair(); empty: there is one. */
     std::vector<std::string> link_classes(const std::vector<std::string> &names) const;
 
-    /** Asked and reached. @param cell edges, of a periodic one; empty: the box @pre there is a mix */
+    /** Requested and reached. @param cell edges, of a periodic one; empty: the box @pre there is a mix */
     MixFigures figures(const std::optional<Eigen::Vector3d> &cell = std::nullopt) const;
     /** Entry "mix" of a summary, with these figures; none without a mix. @param cell likewise */
     void put_into(nlohmann::json &summary, const std::optional<Eigen::Vector3d> &cell = std::nullopt) const;

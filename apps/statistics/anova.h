@@ -31,7 +31,7 @@ namespace statistics
    * the deviations of the level means.
    *
    * @param null_as_error name of a column without a factor, whose sum of squares is then taken as the error; "": residuals are
-   * @throws base::InputError when the runs do not tell factors apart, or there is no such column
+   * @throws base::InputError when the runs do not distinguish factors, or there is no such column
    */
   Anova analyse_variance(const std::vector<Factor> &factors,
                          const Eigen::VectorXd     &response,

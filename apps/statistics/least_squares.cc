@@ -26,7 +26,7 @@ namespace statistics
       return lengths;
     }
 
-    /** "A^2 is made of 1, B": the terms that the runs cannot tell from others. */
+    /** "A^2 is made of 1, B": the terms that the runs cannot distinguish from others. */
     std::string aliases(const Factorised &factorised, const std::vector<std::string> &terms)
     {
       const Eigen::Index    rank  = factorised.rank();
@@ -97,7 +97,7 @@ namespace statistics
     Factorised            factorised(scaled);
     factorised.setThreshold(dependent);
     if (factorised.rank() < matrix.cols())
-      throw base::InputError("the runs do not tell these terms apart: " + aliases(factorised, terms) +
+      throw base::InputError("the runs do not distinguish these terms: " + aliases(factorised, terms) +
                              ". Leave out terms, or make other runs.");
     LinearFit result;
     result.coefficients           = scale.asDiagonal() * factorised.solve(response);

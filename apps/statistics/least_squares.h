@@ -31,7 +31,7 @@ namespace statistics
   /**
    * Least squares by Householder QR with column pivoting, of columns scaled to one length.
    * @param matrix a row for each run, a column for each term; one of them, or a sum of some, is the mean @param terms their names
-   * @throws base::InputError for fewer runs than terms, or terms that the runs do not tell apart, by name
+   * @throws base::InputError for fewer runs than terms, or terms that the runs do not distinguish, by name
    */
   LinearFit fit(const Eigen::MatrixXd &matrix, const Eigen::VectorXd &response, const std::vector<std::string> &terms);
 } // namespace statistics

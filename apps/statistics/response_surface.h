@@ -45,7 +45,7 @@ namespace statistics
   /**
    * Fit a surface in coded variables and transform it back.
    * @param copies runs (from 0) that only repeat the numbers of another one, which is no measure of scatter
-   * @throws base::InputError for a factor that does not vary, fewer runs than terms, terms that the runs do not tell apart
+   * @throws base::InputError for a factor that does not vary, fewer runs than terms, terms that the runs do not distinguish
    */
   ResponseSurface fit_surface(const std::vector<Factor> &factors,
                               const Eigen::VectorXd     &response,

@@ -14,6 +14,7 @@ set(statistics_sources
   statistics/posterior.cc
   statistics/ranges.cc
   statistics/response_surface.cc
+  statistics/sample.cc
   statistics/space_filling.cc
   statistics/surface_designs.cc
   statistics/uncertainty.cc

@@ -59,7 +59,7 @@ namespace apps
         }
       if (array.rank < array.wanted)
         analysis.warnings.push_back(
-          fmt::format("The runs tell {} of {} main effects and mean apart.", array.rank, array.wanted));
+          fmt::format("The runs distinguish {} of {} main effects and mean.", array.rank, array.wanted));
     }
 
     void judge_null_column(Analysis &analysis)

@@ -37,7 +37,7 @@ namespace apps
     bool          gaussian_process = true; ///< beside a surface
   };
 
-  /** A run that a user should look at, and why. */
+  /** A run that deserves a check, and why. */
   struct FlaggedRun
   {
     std::string run, reason;

@@ -186,7 +186,7 @@ namespace apps
     {
       optimisation::LeastSquaresOptions options;
       options.central_differences = file.central_differences;
-      options.jacobian_at_end     = false; // that is asked for where it is known how rough the model is
+      options.jacobian_at_end     = false; // it is found where the roughness of the model is known
       options.updated_jacobian    = file.updated_jacobian;
       options.most_evaluations    = static_cast<int>(file.most_runs);
       options.smallest_decrease   = file.smallest_decrease;

@@ -46,7 +46,7 @@ namespace apps
   /** What the posterior of the constants is drawn from. */
   struct PosteriorRequest
   {
-    std::int64_t runs = 0, draws = 2000, seed = 1; ///< runs 0: it is not asked for
+    std::int64_t runs = 0, draws = 2000, seed = 1; ///< runs 0: not requested
   };
 
   enum class SearchMethod

@@ -16,7 +16,7 @@
 
 namespace apps
 {
-  /** The process was told to end while runs were going on. */
+  /** The process was requested to end while runs were going on. */
   struct CalibrationInterrupted
   {
   };
@@ -65,7 +65,7 @@ namespace apps
     std::vector<std::pair<std::string, std::vector<std::string>>> scenes_at_start() const;
 
     /**
-     * "Material/flat-joint/Friction angle=0.3 degrees": a value of the search, with the unit where a person would be asked whether it is meant,
+     * "Material/flat-joint/Friction angle=0.3 degrees": a value of the search, with the unit where a scene's value would be questioned,
      * which is evaluated from bounds and start alone.
      */
     std::string change_of(const std::string &scene, const std::string &entry, double value) const;

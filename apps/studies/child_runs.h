@@ -40,7 +40,7 @@ namespace apps
     /** Start the program with these words; what it prints goes to the file. @throws std::runtime_error */
     void start(long job, const std::vector<std::string> &words, const std::filesystem::path &log);
 
-    /** Tell all to save their state and to end, and wait until they have. */
+    /** Request that all save their state and end, and wait until they have. */
     void interrupt();
 
     /** One that has ended; nothing where none has within the time. */

@@ -16,12 +16,12 @@ namespace apps
   FolderLock::FolderLock(const std::filesystem::path &file)
     : descriptor(open(file.c_str(), O_RDWR | O_CREAT, 0666)) // inherited on purpose
   {
-    constexpr int most_looks = 100; // five seconds
+    constexpr int most_attempts = 100; // five seconds
     if (descriptor < 0)
       throw postprocess::OutputError(file.string() + ": cannot be opened: " + std::strerror(errno) + ".");
-    for (int look = 0; flock(descriptor, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK; ++look)
+    for (int attempt = 0; flock(descriptor, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK; ++attempt)
       {
-        if (look == most_looks)
+        if (attempt == most_attempts)
           {
             close(descriptor);
             throw postprocess::OutputError(file.parent_path().parent_path().string() +

@@ -74,10 +74,10 @@ namespace apps
   std::string words_of(const InversionQuestion &question, const ScaledRound &round)
   {
     std::string text = fmt::format("\n{:<14} {:>12} {:>12} {:>12} {:>12} {:>12}   of {} runs\n", "response", "target",
-                                   "asked for", "mean", "deviation", "variation", round.runs);
+                                   "requested", "mean", "deviation", "variation", round.runs);
     for (std::size_t k = 0; k < question.targets.size(); ++k)
       text += fmt::format("{:<14} {:>12.6g} {:>12.6g} {:>12.6g} {:>10.3g} % {:>10.3g} %\n",
-                          question.surfaces[k].response, question.targets[k], round.asked[k], round.means[k],
+                          question.surfaces[k].response, question.targets[k], round.requested[k], round.means[k],
                           100 * (round.means[k] / question.targets[k] - 1), 100 * round.variations[k]);
     return text;
   }
@@ -89,8 +89,9 @@ namespace apps
       {
         nlohmann::json &own = rounds.emplace_back(nlohmann::json{{"runs", round.runs}});
         for (std::size_t k = 0; k < question.targets.size(); ++k)
-          own["responses"][question.surfaces[k].response] = {
-            {"asked", round.asked[k]}, {"mean", round.means[k]}, {"coefficient_of_variation", round.variations[k]}};
+          own["responses"][question.surfaces[k].response] = {{"requested", round.requested[k]},
+                                                             {"mean", round.means[k]},
+                                                             {"coefficient_of_variation", round.variations[k]}};
         for (std::size_t factor = 0; factor < round.found.factors.size(); ++factor)
           own["constants"][round.found.factors[factor]] = round.found.best().constants[factor];
       }

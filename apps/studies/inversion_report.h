@@ -10,7 +10,7 @@ namespace apps
 {
   /** What a terminal shows: targets and what the surfaces give, constants and how far equally good answers spread. */
   std::string words_of(const InversionQuestion &question, const Inversion &found);
-  /** The same of a round: what was wanted, asked of the surfaces and given by runs. */
+  /** The same of a round: targets, those of the surfaces, and results of the runs. */
   std::string words_of(const InversionQuestion &question, const ScaledRound &round);
 
   /** What inversion.json holds (doc/formats.md). */

@@ -135,7 +135,7 @@ namespace apps
   nlohmann::json summary_of(const CheckedScene &scene, const RunRequest &request, const ReplicatedRuns &runs)
   {
     nlohmann::json summary                    = summary_head(request, scene.kind);
-    summary["asked"]["replicates"]            = scene.replicates;
+    summary["requested"]["replicates"]        = scene.replicates;
     const std::vector<ReplicatedFigure> found = replicated_figures(runs.results);
     for (const ReplicatedFigure &figure : found)
       summary["figures"][nlohmann::json::json_pointer("/" + figure.path)] = json_of(figure);

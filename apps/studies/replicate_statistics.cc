@@ -1,32 +1,17 @@
 #include "apps/studies/replicate_statistics.h"
 
+#include "apps/statistics/sample.h"
 #include "apps/studies/measured_curve.h"
 #include "base/errors.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 namespace apps
 {
   namespace
   {
-    double mean_of_values(const std::vector<double> &values)
-    {
-      return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
-    }
-
-    /** @pre two values at least */
-    double deviation_of_values(const std::vector<double> &values)
-    {
-      const double mean = mean_of_values(values);
-      double       sum  = 0;
-      for (const double value : values)
-        sum += (value - mean) * (value - mean);
-      return std::sqrt(sum / static_cast<double>(values.size() - 1));
-    }
-
     const std::vector<std::string> *tests_in(const postprocess::CsvTable &series)
     {
       const auto found = std::find(series.names.begin(), series.names.end(), "test");
@@ -106,8 +91,9 @@ namespace apps
           std::vector<double> values;
           for (const Eigen::VectorXd &curve : curves)
             values.push_back(curve[row]);
-          means.push_back(mean_of_values(values));
-          deviations.push_back(values.size() > 1 ? deviation_of_values(values) : 0);
+          const statistics::SampleMoments sample = statistics::moments_of(values);
+          means.push_back(sample.mean);
+          deviations.push_back(sample.deviation);
         }
     }
   } // namespace
@@ -121,12 +107,12 @@ namespace apps
     return found;
   }
 
-  double ReplicatedFigure::mean() const { return mean_of_values(determined()); }
+  double ReplicatedFigure::mean() const { return statistics::moments_of(determined()).mean; }
 
   std::optional<double> ReplicatedFigure::standard_deviation() const
   {
-    const std::vector<double> found = determined();
-    return found.size() > 1 ? std::optional<double>(deviation_of_values(found)) : std::nullopt;
+    const statistics::SampleMoments found = statistics::moments_of(determined());
+    return found.count > 1 ? std::optional<double>(found.deviation) : std::nullopt;
   }
 
   std::vector<ReplicatedFigure> replicated_figures(const std::vector<RunResult> &runs)

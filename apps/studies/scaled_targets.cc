@@ -70,18 +70,18 @@ namespace apps
 
   ScaledTargets scale_targets(const InversionQuestion                        &question,
                               const TargetScaling                            &scaling,
-                              const std::function<void(const ScaledRound &)> &told)
+                              const std::function<void(const ScaledRound &)> &on_round)
   {
     ScaledTargets     all;
-    InversionQuestion asked = question;
-    const auto        plain = read_study(scaling.study, {});
+    InversionQuestion requested = question;
+    const auto        plain     = read_study(scaling.study, {});
     for (const StoredSurface &surface : question.surfaces)
       demand(plain->responses, surface.response, scaling.study, "response");
     for (std::int64_t number = 1; number <= scaling.most_rounds && !all.within_tolerance; ++number)
       {
         ScaledRound round;
-        round.asked          = asked.targets;
-        round.found          = invert(asked);
+        round.requested      = requested.targets;
+        round.found          = invert(requested);
         const auto   study   = study_with(scaling, round.found);
         StudyOptions options = scaling.options;
         options.folder       = scaling.options.folder / fmt::format("round_{}", number);
@@ -96,10 +96,10 @@ namespace apps
           {
             const double ratio   = round.means[k] / question.targets[k];
             all.within_tolerance = all.within_tolerance && std::fabs(ratio - 1) <= scaling.tolerance;
-            asked.targets[k] /= ratio;
+            requested.targets[k] /= ratio;
           }
         all.rounds.push_back(round);
-        told(all.rounds.back());
+        on_round(all.rounds.back());
       }
     return all;
   }

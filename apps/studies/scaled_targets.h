@@ -22,7 +22,7 @@ namespace apps
   /** Constants found, and what runs with them give. */
   struct ScaledRound
   {
-    std::vector<double> asked; ///< of each surface
+    std::vector<double> requested; ///< of each surface
     Inversion           found;
     std::vector<double> means, variations; ///< of each response over the runs: mean, standard deviation over mean
     Eigen::Index        runs = 0;          ///< that have all responses
@@ -35,12 +35,12 @@ namespace apps
   };
 
   /**
-   * Surfaces err, and are of the packings that they were made with: constants are inverted, run, and where a mean is off the target, what
-   * the surfaces are asked for is multiplied by target over mean, and so on (doc/theory/studies.md, 6).
-   * @param told each round as it ends
+   * Surfaces err, and are of the packings that they were made with: constants are inverted, run, and where a mean is off the target, that of
+   * its surface is multiplied by target over mean, and so on (doc/theory/studies.md, 6).
+   * @param on_round called with each round as it ends
    * @throws base::InputError for a study without a factor or a response of the surfaces, and where no run has all responses
    */
   ScaledTargets scale_targets(const InversionQuestion                        &question,
                               const TargetScaling                            &scaling,
-                              const std::function<void(const ScaledRound &)> &told);
+                              const std::function<void(const ScaledRound &)> &on_round);
 } // namespace apps

@@ -26,7 +26,7 @@ namespace apps
     }
 
     /**
-     * What earlier runs of a part left, or of all parts: records, folders and logs are named by their run. Locks stay: who waits for one
+     * What earlier runs of a part left, or of all parts: records, folders and logs are named by their run. Locks stay: a process that waits for one
      * waits for this file.
      */
     void remove_runs(const fs::path &place, const long part, const long parts)

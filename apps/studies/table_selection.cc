@@ -26,23 +26,24 @@ namespace apps
       throw base::InputError(file.string() + ": is empty. The first line must name the columns.");
     }
 
-    /** The name in the file of a column asked for with or without its unit. */
+    /** The name in the file of a column requested with or without its unit. */
     std::string
-    column_asked(const std::filesystem::path &file, const std::vector<ColumnName> &header, const std::string &asked)
+    column_named(const std::filesystem::path &file, const std::vector<ColumnName> &header, const std::string &requested)
     {
       std::vector<std::string> known, without_unit;
       for (const ColumnName &column : header)
         {
-          if (column.name == asked)
-            return asked;
+          if (column.name == requested)
+            return requested;
           known.push_back(column.name);
-          if (column_title(column.name).name == asked)
+          if (column_title(column.name).name == requested)
             without_unit.push_back(column.name);
         }
       if (without_unit.size() == 1)
         return without_unit.front();
       throw base::InputError(fmt::format("{}: there is {} column {}. Columns: {}.", file.string(),
-                                         without_unit.empty() ? "no" : "more than one", asked, fmt::join(known, ", ")));
+                                         without_unit.empty() ? "no" : "more than one", requested,
+                                         fmt::join(known, ", ")));
     }
 
     void refuse_repeated(const std::filesystem::path &file, std::vector<std::string> columns)
@@ -124,26 +125,26 @@ namespace apps
   select(const std::filesystem::path &file, const std::string &response, const std::vector<std::string> &factors)
   {
     const std::vector<ColumnName> header = header_of(file);
-    std::vector<std::string>      asked;
+    std::vector<std::string>      requested;
     for (const std::string &factor : factors)
-      asked.push_back(column_asked(file, header, factor));
-    const std::string target = column_asked(file, header, response);
-    asked.push_back(target);
-    refuse_repeated(file, asked);
+      requested.push_back(column_named(file, header, factor));
+    const std::string target = column_named(file, header, response);
+    requested.push_back(target);
+    refuse_repeated(file, requested);
     std::vector<std::string> others;
     for (const ColumnName &column : header)
-      if (std::find(asked.begin(), asked.end(), column.name) == asked.end())
+      if (std::find(requested.begin(), requested.end(), column.name) == requested.end())
         others.push_back(column.name);
     const postprocess::CsvTable table = postprocess::read_csv_table(file, true, others);
-    asked.pop_back();
+    requested.pop_back();
 
     TableSelection selection;
     selection.file              = file;
     selection.response          = column_title(target).name;
     selection.response_unit     = unit_of(table, target);
-    const std::vector<int> rows = rows_with_response(selection, table, asked, table.column(target));
+    const std::vector<int> rows = rows_with_response(selection, table, requested, table.column(target));
     selection.values            = picked(table.column(target), rows);
-    for (const std::string &factor : asked)
+    for (const std::string &factor : requested)
       {
         selection.factors.push_back({column_title(factor).name, picked(table.column(factor), rows)});
         selection.factor_units.push_back(unit_of(table, factor));

@@ -30,7 +30,7 @@ namespace apps
   ColumnTitle column_title(const std::string &column);
 
   /**
-   * Read the columns asked for, with or without their unit; other columns may hold words. Runs of which the response is not a number
+   * Read the requested columns, with or without their unit; other columns may hold words. Runs of which the response is not a number
    * are left out.
    * @throws base::InputError naming the file and the column: not there, named twice, not a number, no run left
    */

@@ -65,7 +65,7 @@ namespace apps
       {
         Parser parser(text);
         int    values = 0;
-        parser.formula.Eval(values); // read when first asked; a value that is no number is the caller's matter
+        parser.formula.Eval(values); // read at the first evaluation; a value that is no number is the caller's matter
         if (values > 1)
           return fmt::format("it has {} values, separated by commas; a decimal point is \".\"", values);
         return "";

@@ -63,10 +63,11 @@ namespace apps
     }
 
     /** The requested one, or the only one that is not the time. */
-    std::size_t place_of_quantity(const postprocess::CsvTable &table, const std::string &asked, const std::size_t time)
+    std::size_t
+    place_of_quantity(const postprocess::CsvTable &table, const std::string &requested, const std::size_t time)
     {
-      if (!asked.empty())
-        return place_of_column(table, asked);
+      if (!requested.empty())
+        return place_of_column(table, requested);
       if (table.names.size() != 2)
         throw base::InputError(fmt::format("{}: has {} columns besides the time. Say which: table FILE: COLUMN, of {}.",
                                            table.origin, table.names.size() - 1, fmt::join(table.names, ", ")));

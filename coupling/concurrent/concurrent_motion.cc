@@ -111,12 +111,12 @@ namespace coupling
   {
     for (int ratio = largest_ratio;;)
       {
-        const bool kept = checked && takes_several(next_window(rest, ratio)); // looking can only make it shorter
+        const bool kept = checked && takes_several(next_window(rest, ratio)); // the update can only make it shorter
         if (kept)
           save();
-        // Before looking, which puts vertices to where nodes are: that is work, too.
+        // Before the update, which puts vertices to where nodes are: that is work, too.
         const double before = largest_ratio > 1 ? spurious() : 0;
-        look();
+        update_couplings();
         const WindowSteps taken = take(next_window(rest, ratio));
         if (largest_ratio == 1)
           return taken;
@@ -207,7 +207,7 @@ namespace coupling
   }
 
   template <int dim>
-  void ConcurrentMotion<dim>::look()
+  void ConcurrentMotion<dim>::update_couplings()
   {
     double added = 0;
     for (const auto &c : couplings)
@@ -241,7 +241,7 @@ namespace coupling
     for (int taken = 0; taken < steps.solid; ++taken)
       {
         if (taken > 0)
-          look();
+          update_couplings();
         if (taken > 0 && (specimen.longest_step() < steps.window || solid_step() < step))
           steps.solid = taken; // a new contact needs shorter steps
         else

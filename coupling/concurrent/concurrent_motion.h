@@ -92,14 +92,14 @@ namespace coupling
     void save();
     void restore();
     /** Forces of surfaces where everything is now, and how stiff they have become. */
-    void        look();
+    void        update_couplings();
     WindowSteps take(const WindowSteps &steps);
     /** By all couplings so far, but for those that lose by themselves whatever the ratio [J]. */
     double spurious() const;
     /** p of SubCyclingLoss where particles glide: half the sum of force squared over mass, of what touches surfaces [W/s]. */
     double power_of_gliding() const;
     void   sub_cycle_particles(const WindowSteps &steps);
-    /** @return what was taken, less where new contacts ask for shorter steps */
+    /** @return what was taken, less where new contacts require shorter steps */
     WindowSteps sub_cycle_solid(WindowSteps steps);
     void        move_together(const WindowSteps &steps);
     /** @param share of the forces of t_n */

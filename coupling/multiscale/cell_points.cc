@@ -72,11 +72,11 @@ namespace coupling
 
   void CellPoints::gather(const std::vector<base::Voigt> &strains, const bool with_tangent)
   {
-    std::vector<std::size_t> asked;
+    std::vector<std::size_t> requested;
     for (std::size_t i = 0; i < points.size(); ++i)
-      if (ask(points[i], strains[i], with_tangent))
-        asked.push_back(i);
-    answer_to(asked);
+      if (request(points[i], strains[i], with_tangent))
+        requested.push_back(i);
+    answer_to(requested);
   }
 
   void CellPoints::evaluate(const std::size_t  number,
@@ -86,7 +86,7 @@ namespace coupling
                             fem::PointAnswer &answer)
   {
     Point &point = points.at(number);
-    if (ask(point, strain, with_tangent))
+    if (request(point, strain, with_tangent))
       answer_to({number});
     if (!point.failure.empty())
       throw fem::MaterialFailure(point.failure);
@@ -108,7 +108,7 @@ namespace coupling
       }
   }
 
-  bool CellPoints::ask(Point &point, const base::Voigt &strain, const bool with_tangent)
+  bool CellPoints::request(Point &point, const base::Voigt &strain, const bool with_tangent)
   {
     if (point.known && point.strain == strain && (point.has_tangent || !with_tangent))
       return false;
@@ -119,13 +119,13 @@ namespace coupling
     return true;
   }
 
-  void CellPoints::answer_to(const std::vector<std::size_t> &asked)
+  void CellPoints::answer_to(const std::vector<std::size_t> &requested)
   {
-    const auto n = static_cast<std::int64_t>(asked.size());
+    const auto n = static_cast<std::int64_t>(requested.size());
 #pragma omp parallel for schedule(dynamic)
     for (std::int64_t k = 0; k < n; ++k)
       {
-        Point &point      = points[asked[static_cast<std::size_t>(k)]];
+        Point &point      = points[requested[static_cast<std::size_t>(k)]];
         point.is_promoted = false;
         point.failure.clear();
         try
@@ -133,10 +133,10 @@ namespace coupling
             point.law_strain = parameters.large_strains ? Stretch(point.strain).strain() : point.strain;
             if (point.prepared->of_discs())
               point.law_strain.segment<3>(2).setZero(); // of a plane model, to rounding
-            if (is_mine(asked[static_cast<std::size_t>(k)]))
+            if (is_mine(requested[static_cast<std::size_t>(k)]))
               find(point);
             else
-              answer_elastically(point); // unless its rank tells otherwise
+              answer_elastically(point); // unless its rank sends another answer
           }
         catch (const std::exception &problem) // no exception may leave a thread
           {
@@ -144,16 +144,16 @@ namespace coupling
             point.is_promoted = false;
           }
       }
-    share_answers(asked);
-    for (const std::size_t i : asked)
+    share_answers(requested);
+    for (const std::size_t i : requested)
       if (points[i].failure.empty())
-        tell(points[i]);
+        complete_answer(points[i]);
   }
 
-  void CellPoints::share_answers(const std::vector<std::size_t> &asked)
+  void CellPoints::share_answers(const std::vector<std::size_t> &requested)
   {
     std::vector<std::size_t> own;
-    for (const std::size_t i : asked)
+    for (const std::size_t i : requested)
       if (is_mine(i) && (points[i].is_promoted || !points[i].failure.empty()))
         own.push_back(i);
     dealt.share(own, [this](const std::size_t i, base::StateVisitor &visitor) { visit_answer(points[i], visitor); });
@@ -171,7 +171,7 @@ namespace coupling
       visitor.scalar("tangent", entry);
   }
 
-  void CellPoints::tell(Point &point) const
+  void CellPoints::complete_answer(Point &point) const
   {
     point.answer = point.of_law;
     if (!parameters.large_strains)
@@ -196,7 +196,7 @@ namespace coupling
     if (!point.cell && !point.fresh)
       point.fresh =
         point.prepared->promoted_at(point.record.strain, point.prepared->system_of_thread(omp_get_thread_num()));
-    ask_cell(point);
+    respond_by_cell(point);
     if (parameters.localised == Localised::refuse && point.has_tangent && point.law_strain != point.record.strain)
       if (const WeakestPlane plane = weakest_plane(point.of_law.tangent, point.prepared->stiffness(), parameters.plane);
           plane.is_lost())
@@ -208,7 +208,7 @@ namespace coupling
         }
   }
 
-  void CellPoints::ask_cell(Point &point) const
+  void CellPoints::respond_by_cell(Point &point) const
   {
     dem::RespondingCell &cell   = point.cell ? *point.cell : *point.fresh;
     dem::CellSystem     &system = point.prepared->system_of_thread(omp_get_thread_num());
@@ -218,10 +218,10 @@ namespace coupling
         point.of_law                     = {response.stress, point.prepared->in_space(response.tangent)};
         return;
       }
-    const CrackBand::Cell asked = {
+    const CrackBand::Cell requested = {
       [&](const base::Voigt &of_band) { return cell.respond(of_band, system, false).stress; },
       [&] { return point.prepared->in_space(cell.tangent(system)); }};
-    const CrackBand::Answer whole = point.band->respond(point.law_strain, asked);
+    const CrackBand::Answer whole = point.band->respond(point.law_strain, requested);
     point.of_law                  = {whole.stress, whole.tangent};
   }
 

@@ -18,7 +18,7 @@ namespace coupling
   {
     stop,       ///< the run ends with that state
     crack_band, ///< it goes on as a layer of its element
-    refuse,     ///< such a state is none: the solver looks for another, with shorter steps
+    refuse,     ///< such a state is none: the solver seeks another, with shorter steps
     go_on       ///< without regularisation: what follows depends on the size of the elements
   };
 
@@ -138,14 +138,14 @@ namespace coupling
 
     bool is_mine(const std::size_t number) const { return dealt.has(sites[number].number); }
     /** Notes a request to a point. @return whether the answer is still to be found */
-    bool        ask(Point &point, const base::Voigt &strain, bool with_tangent);
-    void        answer_to(const std::vector<std::size_t> &asked);
-    void        share_answers(const std::vector<std::size_t> &asked);
+    bool        request(Point &point, const base::Voigt &strain, bool with_tangent);
+    void        answer_to(const std::vector<std::size_t> &requested);
+    void        share_answers(const std::vector<std::size_t> &requested);
     static void visit_answer(Point &point, base::StateVisitor &visitor);
-    void        tell(Point &point) const;
+    void        complete_answer(Point &point) const;
     static void answer_elastically(Point &point);
     void        find(Point &point) const;
-    void        ask_cell(Point &point) const;
+    void        respond_by_cell(Point &point) const;
     News        commit_cell(std::size_t number);
     void        share_news(const std::vector<std::size_t> &changed, std::vector<News> &news) const;
     /** The trial of a point becomes its state. @throws base::NumericalError */

@@ -55,7 +55,7 @@ namespace coupling
       jump = trial_jump;
       begin_step();
     }
-    /** Another step from the committed state is looked for. */
+    /** Another step from the committed state is sought. */
     void begin_step() { last.reset(); }
 
     double                 share_of_cell() const { return share; }

@@ -48,8 +48,8 @@ namespace coupling
   WeakestPlane weakest_plane(const base::Stiffness &tangent, const base::Stiffness &elastic, const bool in_plane)
   {
     WeakestPlane best;
-    best.left       = std::numeric_limits<double>::infinity();
-    const auto look = [&](const Vector3d &n) {
+    best.left             = std::numeric_limits<double>::infinity();
+    const auto try_normal = [&](const Vector3d &n) {
       const double left = left_of(tangent, elastic, n);
       if (!(left < best.left))
         return false;
@@ -57,14 +57,14 @@ namespace coupling
       return true;
     };
     for (const Vector3d &n : directions(in_plane))
-      look(n);
+      try_normal(n);
     for (double turn = 0.05; turn > 1e-6;) // downhill, over ever smaller angles [rad]
       {
         const Vector3d n = best.normal, across = in_plane ? Vector3d(-n[1], n[0], 0) : n.unitOrthogonal(),
                        other = n.cross(across);
-        bool better          = look((n + turn * across).normalized()) || look((n - turn * across).normalized());
+        bool better = try_normal((n + turn * across).normalized()) || try_normal((n - turn * across).normalized());
         if (!in_plane)
-          better = look((n + turn * other).normalized()) || look((n - turn * other).normalized()) || better;
+          better = try_normal((n + turn * other).normalized()) || try_normal((n - turn * other).normalized()) || better;
         if (!better)
           turn /= 2;
       }

@@ -59,9 +59,9 @@ namespace coupling
     return static_cast<std::int64_t>(std::ceil(length / point.specimen->longest_step() * (1 - 1e-9)));
   }
 
-  void MovingCells::begin_motion(const double asked)
+  void MovingCells::begin_motion(const double requested)
   {
-    length = asked;
+    length = requested;
     if (parameters.steps == 0)
       return;
     base::Column worst = {0, 0};
@@ -202,8 +202,8 @@ namespace coupling
     point.stored                    = (energy.elastic + energy.kinetic) / point.volume;
     // Compared with where its links are as they make this stress: one step before.
     if (const auto band =
-          point.watch.look(specimen, {base::strain_voigt(cell.deformation_at_forces - Matrix3d::Identity()),
-                                      base::stress_voigt(cauchy), energy.damage}))
+          point.watch.update(specimen, {base::strain_voigt(cell.deformation_at_forces - Matrix3d::Identity()),
+                                        base::stress_voigt(cauchy), energy.damage}))
       point.normal = band->normal;
   }
 

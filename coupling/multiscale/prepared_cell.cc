@@ -37,7 +37,7 @@ namespace coupling
     for (int thread = 0; thread < omp_get_num_procs() || thread < omp_get_max_threads(); ++thread)
       systems.emplace_back(*network); // costs nothing until it is used
     dem::CellResponseParameters response = parameters.response;
-    response.keeps_its_way               = true; // the structure's Newton iterations look for a strain
+    response.keeps_its_way               = true; // the structure's Newton iterations seek a strain
     virgin =
       std::make_unique<dem::RespondingCell>(network, materials, response, parameters.only_solved ? nullptr : relaxed);
   }

@@ -35,7 +35,7 @@ namespace coupling
 
   /**
    * One side of a coupling: a body of carriers (particles, or nodes of a mesh) that moves in time by explicit steps, and that others
-   * push, hold and look at. An adapter needs nothing more of either side, and sub-cycling and iteration need no more than
+   * push, hold and read. An adapter needs nothing more of either side, and sub-cycling and iteration need no more than
    * save() and restore().
    *
    * Reading never changes a participant. Whatever is done to it from outside stands in its energy account.
@@ -72,7 +72,7 @@ namespace coupling
     /** From now on these carriers move as prescribed along these axes, at first not at all. @return the group's number */
     virtual std::size_t prescribe(const std::vector<std::size_t> &carriers, const std::array<bool, 3> &along) = 0;
 
-    /** Velocities of a group's carriers, in its order, until the next call [m/s]; what is not prescribed is not looked at. */
+    /** Velocities of a group's carriers, in its order, until the next call [m/s]; what is not prescribed is ignored. */
     virtual void set_motion(std::size_t group, const std::vector<Eigen::Vector3d> &velocity) = 0;
 
     /**

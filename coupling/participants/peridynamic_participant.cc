@@ -42,7 +42,7 @@ namespace coupling
     own.displacements(at, u);
     if (!moving) // at the start nothing from outside moves it
       return;
-    // What others prescribe goes on from where it is: the motion asks for the next place before a step, and keeps it after.
+    // What others prescribe goes on from where it is: the motion takes the next place before a step, and keeps it after.
     const double ahead = at - moving->time();
     for (const Group &group : groups)
       for (std::size_t k = 0; k < group.carriers.size(); ++k)
@@ -79,7 +79,7 @@ namespace coupling
   void PeridynamicParticipant::advance(const double window, const int steps)
   {
     walk_window(*this, window, steps, [&](const double step) {
-      look(step);
+      update_loads(step);
       moving->step(body, all);
       for (const std::size_t i : body.grid().nodes())
         if (!std::isfinite(moving->displacement().at(i).sum()))
@@ -90,12 +90,12 @@ namespace coupling
     stale  = true;
   }
 
-  void PeridynamicParticipant::look(const double step)
+  void PeridynamicParticipant::update_loads(const double step)
   {
     if (!stale && step == moving->step_length())
       return;
     moving->set_step(step);
-    moving->look_at_loads(all);
+    moving->update_loads(all);
     stale = false;
   }
 
@@ -175,7 +175,7 @@ namespace coupling
 
   Vector3d PeridynamicParticipant::velocity_ahead(const std::size_t carrier, const double step)
   {
-    look(step);
+    update_loads(step);
     return moving->velocity_ahead(place(carrier));
   }
 

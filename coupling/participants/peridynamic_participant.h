@@ -27,7 +27,7 @@ namespace coupling
                            const Setup                    &setup,
                            const dem::peridynamics::Field &velocity);
 
-    PeridynamicParticipant(const PeridynamicParticipant &)            = delete; // loads look back at it
+    PeridynamicParticipant(const PeridynamicParticipant &)            = delete; // loads refer to it
     PeridynamicParticipant &operator=(const PeridynamicParticipant &) = delete;
 
     std::size_t       carriers() const override;
@@ -80,7 +80,7 @@ namespace coupling
     std::size_t place(const std::size_t carrier) const { return body.grid().nodes().at(carrier); }
     void        drive(double at, dem::peridynamics::Field &u) const;
     /** Let the motion know what comes from outside, for a next step of this length [s]. */
-    void look(double step);
+    void update_loads(double step);
 
     dem::peridynamics::Bonds     &body;
     dem::peridynamics::Kinematics kinematics;

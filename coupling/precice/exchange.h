@@ -25,7 +25,7 @@ namespace coupling
     std::vector<std::size_t> carriers;
     PreciceData              reads, writes;
 
-    /** Whether motion is read, and not force: the carriers are led. */
+    /** Whether motion is read, and not force: the carriers are driven. */
     bool leads() const { return reads.force.empty(); }
     /**
      * Either force is read and motion is written, or one kind of motion is read and force is written.
@@ -35,13 +35,13 @@ namespace coupling
   };
 
   /**
-   * A body as a participant of preCICE (doc/tutorials/precice.md): forces push its carriers during a whole time window, or they are led
+   * A body as a participant of preCICE (doc/tutorials/precice.md): forces push its carriers during a whole time window, or they are driven
    * evenly to where another code wants them. Windows that an implicit coupling takes back leave no trace.
    */
   class PreciceExchange
   {
   public:
-    /** @param body must outlive it; carriers that are led are held from now on @throws base::InputError by PreciceMesh::mistake() */
+    /** @param body must outlive it; driven carriers are held from now on @throws base::InputError by PreciceMesh::mistake() */
     PreciceExchange(Participant &body, PreciceMesh mesh, std::function<std::unique_ptr<PreciceInterface>()> join);
 
     /**
@@ -71,7 +71,7 @@ namespace coupling
     std::unique_ptr<PreciceInterface>                  interface; ///< once it has started
     std::size_t                                        dimensions = 0;
     std::vector<int>                                   vertices;
-    std::vector<std::size_t>                           groups; ///< one for each carrier that is led
+    std::vector<std::size_t>                           groups; ///< one for each driven carrier
     base::Column                                       places; ///< of the carriers at the start, x, y, z each [m]
     std::int64_t                                       windows_taken = 0, iterations_taken = 0;
     bool                                               over = false;

@@ -8,7 +8,7 @@
 namespace coupling
 {
   /**
-   * What an adapter asks of preCICE 3, under its own names (precice::Participant). Values of vertices stand one vertex after the other, with
+   * The part of preCICE 3 that an adapter uses, under its own names (precice::Participant). Values of vertices stand one vertex after the other, with
    * as many numbers each as the mesh has dimensions.
    */
   class PreciceInterface

@@ -35,8 +35,8 @@ namespace coupling
   };
 
   /**
-   * Stress and damage tensor of every particle of a state (doc/theory/sequential-transfer.md, 1); particles that never had a cohesive link tell
-   * nothing of damage and are left out.
+   * Stress and damage tensor of every particle of a state (doc/theory/sequential-transfer.md, 1); particles that never had a cohesive link have
+   * no damage and are left out.
    * @throws base::InputError if none remains
    */
   ParticleField particle_field(const dem::DiscreteState &state, const FieldOptions &options);

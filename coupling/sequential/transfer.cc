@@ -129,7 +129,7 @@ namespace coupling
         throw base::InputError(
           "transfer: no part of the solid has a history (all of it is elastic); nothing to transfer to.");
       refuse_past("have no particle within reach", count.empty, count.points, limits.empty);
-      refuse_past("average fewer particles than asked for", count.sparse, count.points, limits.sparse);
+      refuse_past("average fewer particles than required", count.sparse, count.points, limits.sparse);
       refuse_past("are fully damaged (omega at or past 1)", count.fully_damaged, count.points, limits.fully_damaged);
       std::ostringstream outside;
       outside << "have stresses so far outside the yield surface that more than a tenth of them is lost (up to "

@@ -10,7 +10,7 @@ namespace coupling
   class Interior
   {
   public:
-    /** @param mesh its facets may look any way */
+    /** @param mesh its facets may have any orientation */
     explicit Interior(dem::FacetMesh mesh);
 
     /** By the number of facets between it and infinity: odd inside. */

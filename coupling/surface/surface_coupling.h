@@ -120,7 +120,7 @@ namespace coupling
     std::size_t                  number;
     std::vector<std::int32_t>    facet_of;    ///< a facet of each vertex
     std::vector<Eigen::Vector3d> force;       ///< of the particles on the nodes [N]
-    std::vector<Eigen::Vector3d> place;       ///< of the nodes, last looked at [m]
+    std::vector<Eigen::Vector3d> place;       ///< of the nodes, at the last update [m]
     std::vector<Eigen::Vector3d> last_motion; ///< of the nodes in the solid's step that led here [m]
     SurfaceBalance               exchanged;   ///< its part that the specimen does not know
   };

@@ -150,12 +150,12 @@ namespace coupling
     }
 
     /**
-     * Calls look(place) for places all over the elements that come nearer to a region than a distance: no further apart than wanted
+     * Calls visit(place) for places all over the elements that come nearer to a region than a distance: no further apart than wanted
      * where that is not much finer than the element.
      */
-    template <int dim, typename Look>
+    template <int dim, typename Visit>
     void each_place(
-      const fem::Solid<dim> &solid, const Overlap &overlap, const double nearer, const double apart, const Look &look)
+      const fem::Solid<dim> &solid, const Overlap &overlap, const double nearer, const double apart, const Visit &visit)
     {
       constexpr double finest = 8;
       for (const auto &cell : solid.dofs().active_cell_iterators())
@@ -167,7 +167,7 @@ namespace coupling
           const dealii::QIterated<dim> places(dealii::QTrapezoid<1>(), parts);
           for (const auto &point : places.get_points())
             if (cell->reference_cell().contains_point(point, 1e-9))
-              look(fem::in_space(solid.mapping().transform_unit_to_real_cell(cell, point)));
+              visit(fem::in_space(solid.mapping().transform_unit_to_real_cell(cell, point)));
         }
     }
     /** Where places that should have particles have none. */
@@ -253,7 +253,7 @@ namespace coupling
       std::size_t from = 0, to = 0;
       double      apart = std::numeric_limits<double>::infinity(); ///< [m]; infinite: there are not two sides
 
-      void look(const std::vector<std::size_t> &one, const std::vector<std::size_t> &other, const Filling &filling)
+      void visit(const std::vector<std::size_t> &one, const std::vector<std::size_t> &other, const Filling &filling)
       {
         for (const std::size_t i : one)
           for (const std::size_t j : other)
@@ -301,7 +301,7 @@ namespace coupling
       for (std::size_t e = 0; e < elements.size(); ++e)
         for (std::size_t f = e; f < elements.size() && elements[f].min().x() <= elements[e].max().x(); ++f)
           if (elements[e].intersects(elements[f]) && (pieces[e] != pieces[f] || pieces[e].size() > 1))
-            gap.look(members[e], members[f], filling);
+            gap.visit(members[e], members[f], filling);
       if (std::isfinite(gap.apart))
         throw base::InputError(
           name + "no bond joins the particles of the region across a gap of " + base::number_text(gap.apart) +

@@ -11,7 +11,7 @@ namespace coupling
    * Every place of the elements in the overlap must be near a particle that bonds join to the region, along each axis by one and a half
    * times the longest bond of that particle; for constrained particles, every place from which bonds reach the region. In the place of
    * each element that the region has taken there must be such a particle, but for places that are meant to be empty, and pieces of the
-   * packing that no bond joins must not come together there. Without bonds nothing is looked at.
+   * packing that no bond joins must not come together there. Without bonds nothing is checked.
    * @throws base::InputError with the box around the places that are not filled, and how far they are from the nearest particle
    */
   template <int dim>

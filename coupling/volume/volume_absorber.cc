@@ -101,7 +101,7 @@ namespace coupling
   template <int dim>
   void VolumeCoupling<dim>::enter_points(AbsorberCarriers &all)
   {
-    // An average looks two knots to either side; those of averages hardly look further.
+    // An average reaches two knots to either side; those of averages hardly reach further.
     const double                                 reach     = own.overlap.width + 3 * own.spacing;
     const double                                 thickness = dim == 2 ? solid.options().thickness : 1.0;
     const auto                                  &fe        = solid.dofs().get_fe();

@@ -146,11 +146,10 @@ namespace coupling
     std::vector<Eigen::Vector3d> places; ///< of the watched, undeformed [m]
     std::size_t                  overlapping = 0;
     Eigen::VectorXd              whole_mass; ///< of the watched, as if they did not share [kg]
-    Eigen::VectorXd
-                 parts; ///< of the particles of the overlap that lie between its sides, where multipliers ask for them
-    CarrierRows  mass, inverse_mass, node_mass, inverse_node_mass; ///< as they count; zero inverse: prescribed
-    double       ratio         = 0;                                ///< of steps for which the multipliers are
-    Eigen::Index overlap_nodes = 0;                                ///< nodes that weigh on its particles: the first
+    Eigen::VectorXd parts; ///< of the particles of the overlap that lie between its sides, where multipliers need them
+    CarrierRows     mass, inverse_mass, node_mass, inverse_node_mass; ///< as they count; zero inverse: prescribed
+    double          ratio         = 0;                                ///< of steps for which the multipliers are
+    Eigen::Index    overlap_nodes = 0;                                ///< nodes that weigh on its particles: the first
     std::optional<Multipliers>       multipliers;
     std::optional<FineScaleAbsorber> absorber, spin_absorber;
     CarrierRows                      inertia, inverse_inertia; ///< as masses

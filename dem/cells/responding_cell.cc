@@ -57,11 +57,11 @@ namespace dem
 
   RespondingCell::RespondingCell(std::shared_ptr<const LoadedNetwork>   network,
                                  const LinkMaterials                   &materials,
-                                 const CellResponseParameters          &asked,
+                                 const CellResponseParameters          &requested,
                                  std::shared_ptr<const ElasticResponse> undamaged)
     : cell(std::move(network))
     , scale(mean_arm(cell->network))
-    , parameters(asked)
+    , parameters(requested)
     , committed{DamagingLinks(*cell, materials), LoadedMotion(cell->held.size()), {}, 0, 0, undamaged ? 1 : 0}
     , trial(committed)
     , elastic(std::move(undamaged))
@@ -333,7 +333,7 @@ namespace dem
         std::ostringstream message;
         message << "cell: no equilibrium at the strain " << strain.transpose() << " within " << report.steps
                 << " steps of relaxation, residual " << report.residual
-                << ". Raise the tolerance, or look for particles that nothing holds.";
+                << ". Raise the tolerance, or remove particles that nothing holds.";
         throw base::NumericalError(message.str());
       }
     trial.motion.loads = strain; // the ramp sums it up with rounding

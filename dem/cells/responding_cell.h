@@ -95,7 +95,7 @@ namespace dem
     /** CellResponse::tangent of the last answer. @throws base::NumericalError if there is none */
     base::Matrix6 tangent(CellSystem &shared);
     void          commit();
-    /** Another step from the committed state is looked for: no attempt before shall matter. */
+    /** Another step from the committed state is sought: no attempt before shall matter. */
     void begin_step()
     {
       fallen.reset();

@@ -39,7 +39,7 @@ namespace dem
     , margin(start_margin)
     , list_margin(0)
     , largest_diameter(0)
-    , next_look(0.5 * start_margin)
+    , next_update(0.5 * start_margin)
   {
     for (std::size_t i = 0; i < particles.count; ++i)
       largest_diameter = std::max(largest_diameter, 2 * particles.radius_of(i));
@@ -57,13 +57,13 @@ namespace dem
     const double closer = largest + 0.5 * strain * reach();
     path += closer;
     path_of_list += closer;
-    return path >= next_look;
+    return path >= next_update;
   }
 
   void ContactSearch::watch(const Particles &particles, const std::array<std::int32_t, 3> &pair)
   {
     watched.insert(watched.end(), pair.begin(), pair.end());
-    next_look = std::min(next_look, contacts_wait ? path : path + 0.5 * watched_gap(particles, pair));
+    next_update = std::min(next_update, contacts_wait ? path : path + 0.5 * watched_gap(particles, pair));
   }
 
   bool ContactSearch::is_near(const Particles &particles, const std::array<std::int32_t, 3> &pair) const
@@ -115,7 +115,8 @@ namespace dem
     ++neighbour_searches;
   }
 
-  std::vector<NeighbourPair> ContactSearch::look(Particles &particles, const LinkSet &bonds, const LinkSet &contacts)
+  std::vector<NeighbourPair>
+  ContactSearch::find_contacts(Particles &particles, const LinkSet &bonds, const LinkSet &contacts)
   {
     if (2 * path_of_list >= margin)
       {
@@ -141,8 +142,8 @@ namespace dem
             smallest = std::min(smallest, distance);
           }
       }
-    watched   = std::move(apart);
-    next_look = path + std::min(0.5 * smallest, 0.5 * margin - path_of_list);
+    watched     = std::move(apart);
+    next_update = path + std::min(0.5 * smallest, 0.5 * margin - path_of_list);
     std::sort(born.begin(), born.end());
     born.erase(std::unique(born.begin(), born.end()), born.end());
     return born;
@@ -157,7 +158,7 @@ namespace dem
     visitor.scalar("contact_search/margin", margin);
     visitor.scalar("contact_search/path", path);
     visitor.scalar("contact_search/path_of_list", path_of_list);
-    visitor.scalar("contact_search/next_look", next_look);
+    visitor.scalar("contact_search/next_look", next_update);
     visitor.scalar("contact_search/searches", neighbour_searches);
   }
 

@@ -12,11 +12,11 @@
 namespace dem
 {
   /**
- * Finds pairs of particles that begin to overlap, and looks only when the motion of particles can have made one.
+ * Finds pairs of particles that begin to overlap, and searches only when the motion of particles can have made one.
  *
  * Proof by distance: `path` is the sum over steps of the largest displacement of any particle. A pair with gap g cannot close
  * before `path` has grown by g/2. So (1) the list of unlinked pairs nearer than a margin is complete until particles have moved half
- * the margin since it was made, and (2) the list itself need not be looked at before `path` has grown by half its smallest gap.
+ * the margin since it was made, and (2) the list itself need not be visited before `path` has grown by half its smallest gap.
  * At the start all pairs within the interaction ratio are linked, so the first list is empty and its margin is the gap that the ratio
  * leaves between unlinked particles.
  *
@@ -36,7 +36,7 @@ namespace dem
 
     /**
      * Account for one step. @param largest no particle moved further [m] @param strain of the cell in the step, its norm
-     * @return whether look() must be called now
+     * @return whether find_contacts() must be called now
      */
     bool moved(double largest, double strain);
 
@@ -44,7 +44,7 @@ namespace dem
     void watch(const Particles &particles, const std::array<std::int32_t, 3> &pair);
 
     /** Unlinked pairs that overlap now (all watched ones, where contacts wait), sorted; they are no longer watched. */
-    std::vector<NeighbourPair> look(Particles &particles, const LinkSet &bonds, const LinkSet &contacts);
+    std::vector<NeighbourPair> find_contacts(Particles &particles, const LinkSet &bonds, const LinkSet &contacts);
 
     /** Whether a contact that waits would be made anew if it were dropped now. */
     bool is_near(const Particles &particles, const std::array<std::int32_t, 3> &pair) const;
@@ -68,7 +68,7 @@ namespace dem
     double                    largest_diameter;
     base::Column              reference_base; ///< H at the last rebuild, by columns; empty without a cell [m]
     double                    path = 0, path_of_list = 0; ///< now; not below the largest displacement since the rebuild
-    double                    next_look;
+    double                    next_update;
     std::int64_t              neighbour_searches = 0;
   };
 

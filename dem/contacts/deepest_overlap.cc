@@ -6,7 +6,7 @@ namespace dem
 {
   namespace
   {
-    void look(const Particles &particles, const LinkSet &links, const std::size_t l, DeepestOverlap &deepest)
+    void measure_overlap(const Particles &particles, const LinkSet &links, const std::size_t l, DeepestOverlap &deepest)
     {
       const std::int32_t first = links.first[l], second = links.second[l];
       const double       J = particles.radius_of(first), K = particles.radius_of(second);
@@ -22,12 +22,12 @@ namespace dem
     DeepestOverlap deepest;
     for (std::size_t l = 0; l < contacts.count; ++l)
       if (contacts.is_alive(l))
-        look(particles, contacts, l, deepest);
+        measure_overlap(particles, contacts, l, deepest);
     if (bonds.logs_breaks)
       for (std::size_t l = 0; l < bonds.count; ++l)
         if (bonds.is_alive(l) && bonds.is_broken(l) &&
             particles.cut_between(bonds.first[l], bonds.second[l]) == nullptr)
-          look(particles, bonds, l, deepest);
+          measure_overlap(particles, bonds, l, deepest);
     return deepest;
   }
 } // namespace dem

@@ -42,7 +42,7 @@ namespace dem
     }
 
     bool listens() const { return window.reach > 0; }
-    /** Whether listen() would look at forces now. */
+    /** Whether listen() would read forces now. */
     bool hears(const BreakLog &log) const { return !sources.empty() || logged < log.size(); }
     /** Forces at t_n are known, and particles have not moved on yet: take up new breaks, and follow the moments of those that still go on. */
     void

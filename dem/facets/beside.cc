@@ -29,7 +29,7 @@ namespace dem
     }
   } // namespace
 
-  void Beside::look(const NearFacets &near, const Particles &particles)
+  void Beside::update(const NearFacets &near, const Particles &particles)
   {
     if (made_at == near.searches())
       return;

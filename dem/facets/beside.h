@@ -15,7 +15,7 @@ namespace dem
   {
   public:
     /** Make the lists anew if those of near facets have been. */
-    void look(const NearFacets &near, const Particles &particles);
+    void update(const NearFacets &near, const Particles &particles);
 
     /** Particles beside the k-th that has a facet near, ascending. */
     const std::int32_t *begin(const std::size_t k) const { return others.data() + from[k]; }

@@ -54,7 +54,7 @@ namespace dem
     std::vector<std::int32_t>        face;  ///< of each facet; -1: not flat, or goes on evenly
     std::vector<std::array<bool, 3>> rim;   ///< of each facet: whether the side across from that corner ends the face
     std::vector<std::array<bool, 3>> tip;   ///< of each facet: whether that corner lies on a side that does
-    std::vector<cells::Tangents>     plane; ///< of each face that was looked at, flat or not
+    std::vector<cells::Tangents>     plane; ///< of each face that was visited, flat or not
     std::vector<cells::Facet>        seen;  ///< of each facet of a flat face, in the plane of that
   };
 } // namespace dem

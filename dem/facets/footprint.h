@@ -8,7 +8,7 @@
 
 namespace dem
 {
-  /** Point of the undeformed face on which a contact stands: near it the next step looks first. */
+  /** Point of the undeformed face on which a contact stands: the next step searches near it first. */
   struct FacePoint
   {
     std::int32_t    facet = -1;        ///< that holds it; -1: the contact stands on no flat face
@@ -57,7 +57,7 @@ namespace dem
     explicit Footprint(const FacetMesh &mesh);
 
     bool given() const { return around.given(); }
-    /** How far from its centre a sphere looks for facets, over its radius: a dent under it is deeper than the mean surface. */
+    /** Distance from its centre within which a sphere finds facets, over its radius: a dent under it is deeper than the mean surface. */
     static constexpr double reach = 1.1;
     /** Spheres further apart than this part of the sum of their radii do not bound each other's cell. */
     static constexpr double widest = 2.2;

@@ -48,10 +48,10 @@ namespace dem
   base::Column GlidePushes::mean(const std::size_t particles, const double kick) const
   {
     base::Column records(record_size * particles, 0.0);
-    for (const auto &[who, push] : pushes)
+    for (const auto &[pair, push] : pushes)
       for (std::size_t c = 0; c < 3; ++c)
         {
-          double *record = &records[record_size * static_cast<std::size_t>(who.second)];
+          double *record = &records[record_size * static_cast<std::size_t>(pair.second)];
           record[c] += push.impulse[static_cast<Eigen::Index>(c)] / kick;
           record[3 + c] += push.turn[static_cast<Eigen::Index>(c)] / kick;
         }
@@ -62,15 +62,15 @@ namespace dem
   {
     std::array<double, 2> sum  = {0, 0};
     const double          kick = rates.half_before + rates.half_after;
-    for (const auto &[who, push] : pushes)
+    for (const auto &[pair, push] : pushes)
       for (const std::size_t half : {std::size_t{0}, std::size_t{1}})
         {
           const base::Column &rate  = half == 0 ? *rates.before : *rates.after;
           const double        share = (half == 0 ? rates.half_before : rates.half_after) / kick,
-                       more         = share * (push.impulse.dot(part(rate, who.second, 0)) +
-                                       push.turn.dot(part(rate, who.second, 3))) -
+                       more         = share * (push.impulse.dot(part(rate, pair.second, 0)) +
+                                       push.turn.dot(part(rate, pair.second, 3))) -
                               push.work[half];
-          surfaces.surface(static_cast<std::size_t>(who.first)).work += more;
+          surfaces.surface(static_cast<std::size_t>(pair.first)).work += more;
           sum[half] += more;
         }
     return sum;

@@ -86,7 +86,7 @@ namespace dem::cells
         }
     }
 
-    /** @param whole cell [m^2] @param about the contact @return what counts of it [m^2]: all inside a surface, what is symmetric elsewhere */
+    /** @param whole cell [m^2] @param about the contact @return the part that counts [m^2]: all inside a surface, what is symmetric elsewhere */
     double count(double whole, const Point &about);
 
     const Recycled<Covered> &parts() const { return under; }

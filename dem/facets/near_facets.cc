@@ -14,8 +14,8 @@ namespace dem
     class SizeClass
     {
     public:
-      /** @param look how far particles look for facets, over their radius */
-      SizeClass(const Particles &p, std::vector<std::int32_t> of, const double look, const double margin)
+      /** @param search radius within which particles find facets, over their own */
+      SizeClass(const Particles &p, std::vector<std::int32_t> of, const double search, const double margin)
         : members(std::move(of))
       {
         Eigen::Vector3d low     = p.position_of(members.front());
@@ -27,7 +27,7 @@ namespace dem
             high    = high.cwiseMax(p.position_of(i));
             largest = std::max(largest, p.radius_of(i));
           }
-        reach  = look * largest + margin;
+        reach  = search * largest + margin;
         origin = low;
         choose_cells(high - low);
         sort_in(p);
@@ -106,7 +106,7 @@ namespace dem
       Cells                     cells;
     };
 
-    std::vector<SizeClass> size_classes(const Particles &p, const double look, const double margin)
+    std::vector<SizeClass> size_classes(const Particles &p, const double search, const double margin)
     {
       double smallest = std::numeric_limits<double>::infinity();
       for (std::size_t i = 0; i < p.count; ++i)
@@ -122,7 +122,7 @@ namespace dem
       std::vector<SizeClass> classes;
       for (auto &of : members)
         if (!of.empty())
-          classes.emplace_back(p, std::move(of), look, margin);
+          classes.emplace_back(p, std::move(of), search, margin);
       return classes;
     }
 
@@ -159,16 +159,17 @@ namespace dem
     return path < 0.8 * margin;
   }
 
-  void NearFacets::look(const Particles &particles, const std::vector<Surface> &surfaces)
+  void NearFacets::update(const Particles &particles, const std::vector<Surface> &surfaces)
   {
     if (!still_good(particles, surfaces))
       make_lists(particles, surfaces, chosen_margin(particles));
-    next_look = margin;
+    next_update = margin;
     for (const double gap : smallest)
-      next_look = std::min(next_look, gap);
+      next_update = std::min(next_update, gap);
   }
 
-  void NearFacets::look_around(const Particles &particles, const std::vector<Surface> &surfaces, const double distance)
+  void
+  NearFacets::search_around(const Particles &particles, const std::vector<Surface> &surfaces, const double distance)
   {
     make_lists(particles, surfaces, std::nextafter(distance, 2 * distance));
   }
@@ -201,12 +202,12 @@ namespace dem
   void
   NearFacets::make_lists(const Particles &particles, const std::vector<Surface> &surfaces, const double nearer_than)
   {
-    margin      = nearer_than;
-    double look = 1;
+    margin        = nearer_than;
+    double search = 1;
     for (const Surface &surface : surfaces)
-      look = std::max(look, surface.look(1));
+      search = std::max(search, surface.search_radius(1));
     std::vector<FoundPair>       found;
-    const std::vector<SizeClass> classes = size_classes(particles, look, margin);
+    const std::vector<SizeClass> classes = size_classes(particles, search, margin);
     for (std::size_t s = 0; s < surfaces.size(); ++s)
       for (std::size_t f = 0; f < surfaces[s].mesh.size(); ++f)
         {
@@ -214,7 +215,7 @@ namespace dem
             if (!surfaces[s].meets_particle(i))
               return;
             const double gap =
-              surfaces[s].distance(f, particles.position_of(i)) - surfaces[s].look(particles.radius_of(i));
+              surfaces[s].distance(f, particles.position_of(i)) - surfaces[s].search_radius(particles.radius_of(i));
             ++test_count;
             if (gap <= margin)
               found.push_back({i, {static_cast<std::int32_t>(s), static_cast<std::int32_t>(f), gap}});

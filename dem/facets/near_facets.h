@@ -12,17 +12,17 @@ namespace dem
   struct NearFacet
   {
     std::int32_t surface, facet;
-    double       gap; ///< when the list was made [m]; negative: within the particle's look
+    double       gap; ///< when the list was made [m]; negative: within the particle's search radius
   };
 
   /**
-   * Which facets are near which particles: nothing is looked at while nothing can touch.
+   * Which facets are near which particles: no pair is visited while nothing can touch.
    *
    * Proof by distance, as of contacts between particles (doc/theory/contacts.md): `path` is the sum over steps of the largest
    * displacement of any particle plus that of any vertex. A pair cannot come nearer by more than that, so (1) the list of pairs nearer
-   * than a margin is complete until `path` reaches the margin, and (2) a pair need not be looked at before `path` reaches its gap.
+   * than a margin is complete until `path` reaches the margin, and (2) a pair need not be visited before `path` reaches its gap.
    *
-   * Lists are made from a grid of the particles of each size class (radii within a factor of two), each facet looking at the cells
+   * Lists are made from a grid of the particles of each size class (radii within a factor of two), each facet visiting the cells
    * around it: linear in both.
    */
   class NearFacets
@@ -31,13 +31,13 @@ namespace dem
     /** Largest displacements of the last step [m]. */
     void moved(const double of_particles, const double of_vertices) { path += of_particles + of_vertices; }
     /** Whether any pair can touch now. */
-    bool can_touch() const { return stale || path >= next_look; }
-    /** Whether look() would look at more particles than those of the lists. */
+    bool can_touch() const { return stale || path >= next_update; }
+    /** Whether update() would read more particles than those of the lists. */
     bool reads_all() const { return can_touch() && (stale || path >= margin); }
     /** Make the lists good for where everything is now. @pre can_touch() */
-    void look(const Particles &particles, const std::vector<Surface> &surfaces);
+    void update(const Particles &particles, const std::vector<Surface> &surfaces);
     /** The same, of all that are nearer than a distance [m], whatever there was before. */
-    void look_around(const Particles &particles, const std::vector<Surface> &surfaces, double distance);
+    void search_around(const Particles &particles, const std::vector<Surface> &surfaces, double distance);
     /** Forget all lists: places have changed otherwise than by steps. */
     void forget() { stale = true; }
 
@@ -66,7 +66,7 @@ namespace dem
     double displacement(const Particles &particles, const std::vector<Surface> &surfaces) const;
 
     bool                         stale  = true;
-    double                       margin = 0, path = 0, next_look = 0;
+    double                       margin = 0, path = 0, next_update = 0;
     std::vector<Eigen::Vector3d> particle_reference;
     std::vector<Eigen::Vector3d> vertex_reference; ///< of all surfaces, one after another
     std::vector<std::int32_t>    listed;

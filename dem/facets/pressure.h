@@ -34,7 +34,7 @@ namespace dem
    * skin, times the overlap, towards and away from the centre, integrated over the facets as large as they were made. It is the slope
    * of an energy: work is kept on both sides.
    *
-   * @param near nearest points within the radius; only their facets are looked at
+   * @param near nearest points within the radius; only their facets are visited
    * @param thickness of discs [m]; 1 of spheres
    * @param parts those of the vertices are appended: weights, and forces of the pressure alone
    */

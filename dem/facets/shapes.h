@@ -18,7 +18,7 @@ namespace dem
 
   /** Box of triangles along the axes. @param there sides that it has */
   FacetMesh box(const Eigen::Vector3d &low, const Eigen::Vector3d &high, const BoxSides &there);
-  /** Rectangle of segments; sides along z are not looked at. */
+  /** Rectangle of segments; sides along z are ignored. */
   FacetMesh rectangle(const Eigen::Vector3d &low, const Eigen::Vector3d &high, const BoxSides &there);
 
   /** Mantle of a cylinder: a prism whose edges lie on it. @param around how many plane sides, at least 3 @param ends closed by fans */

@@ -108,8 +108,8 @@ namespace dem
     double cut_of(const std::int32_t i) const { return cut.empty() ? 0.0 : cut[static_cast<std::size_t>(i)]; }
     /** Facets that bound a body push a centre out of it that has sunk in, where contacts act at the nearest point. */
     bool holds_from_within() const { return !mesh.outward.empty() && skin == 0 && !footprint.given(); }
-    /** How far from its centre a particle of this radius looks for facets [m]. */
-    double look(const double radius) const { return footprint.given() ? Footprint::reach * radius : radius; }
+    /** Distance from its centre within which a particle of this radius finds facets [m]. */
+    double search_radius(const double radius) const { return footprint.given() ? Footprint::reach * radius : radius; }
     /** Of a facet where it is now; of a plane signed [m]. */
     double      distance(std::size_t facet, const Eigen::Vector3d &x) const;
     FacetBounds bounds(std::size_t facet) const;

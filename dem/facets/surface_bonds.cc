@@ -39,7 +39,7 @@ namespace dem
   {
     const Surface &surface = surfaces[static_cast<std::size_t>(surface_number)];
     NearFacets     near;
-    near.look_around(particles, surfaces, within);
+    near.search_around(particles, surfaces, within);
     for (std::size_t k = 0; k < near.particles().size(); ++k)
       {
         const std::int32_t i      = near.particles()[k];

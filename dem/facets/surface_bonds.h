@@ -89,7 +89,7 @@ namespace dem
     /** Bodies and anchors are where particles and facets are now. */
     void follow(const Particles &particles, const Surface &surface);
     void note_breaks(std::size_t bond, const LinkReader &reader);
-    /** Look whether a bond is broken or gone; its particle is then added to those that are off. */
+    /** Check whether a bond is broken or gone; its particle is then added to those that are off. */
     void tear_off(std::size_t bond, std::vector<std::int32_t> &off);
     /** To the corners of the facets. */
     void share_out(const Surface &surface);

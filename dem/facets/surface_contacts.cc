@@ -34,9 +34,9 @@ namespace dem
     if (!contacts.empty() || near.can_touch())
       {
         if (near.can_touch())
-          near.look(particles, all);
+          near.update(particles, all);
         if (spread())
-          beside.look(near, particles);
+          beside.update(near, particles);
         find_contacts(particles, shape);
         hand_out(particles, shape);
       }
@@ -156,7 +156,7 @@ namespace dem
 
   void SurfaceContacts::check_start(const Particles &particles)
   {
-    near.look(particles, all);
+    near.update(particles, all);
     for (std::size_t k = 0; k < near.particles().size(); ++k)
       for (const NearFacet *pair = near.begin(k); pair != near.end(k); ++pair)
         {

@@ -12,7 +12,7 @@ namespace dem
 {
   namespace
   {
-    /** Particles that one thread looks at in a row. */
+    /** Particles that one thread treats in a row. */
     constexpr std::size_t particles_per_piece = 32;
     /** Vertices of most contacts: a triangle's. */
     constexpr std::size_t corners_of_most = 3;
@@ -44,7 +44,7 @@ namespace dem
   struct SurfaceContacts::Room
   {
     std::vector<NearPoint>      near;
-    double                      cut = 0; ///< off the particle that is looked at [m]
+    double                      cut = 0; ///< off the particle that is treated [m]
     ZoneRoom                    zones;
     SpreadRoom                  spread;
     std::vector<StandingSphere> standing;           ///< the particle, then those beside it
@@ -142,7 +142,7 @@ namespace dem
                        const double            radius,
                        std::vector<NearPoint> &points)
     {
-      const double look = surface.look(radius);
+      const double search = surface.search_radius(radius);
       points.clear();
       for (; from != to; ++from)
         {
@@ -153,7 +153,7 @@ namespace dem
           const Eigen::Vector3d branch = point.place - centre;
           const double          distance =
             surface.mesh.is_plane() ? surface.mesh.normal.dot(centre - surface.place[0]) : branch.norm();
-          if (distance >= look)
+          if (distance >= search)
             continue;
           if (!(distance > 1e-9 * radius))
             return false;
@@ -331,13 +331,13 @@ namespace dem
                                   Block                 &block) const
   {
     const auto   corners = static_cast<std::size_t>(surface.mesh.corners);
-    const double look    = surface.look(radius);
+    const double search  = surface.search_radius(radius);
     if (surface.footprint.given())
       surface.footprint.keep_own(surface.mesh, surface.place, centre, block.room->near);
-    contact_zones(block.room->near, centre, look, block.room->zones);
+    contact_zones(block.room->near, centre, search, block.room->zones);
     for (ContactZone &zone : block.room->zones.zones)
       {
-        zone.overlap -= look - radius + block.room->cut;
+        zone.overlap -= search - radius + block.room->cut;
         const bool spread =
           surface.footprint.given() && surface.footprint.spread(surface.mesh, surface.place, zone,
                                                                 {block.room->standing, radius - block.room->cut,
@@ -351,7 +351,7 @@ namespace dem
             zone.distance  = (zone.place - centre).norm();
             zone.direction = (zone.place - centre) / zone.distance;
           }
-        if (!(zone.overlap > 0)) // looked for further than it reaches
+        if (!(zone.overlap > 0)) // sought further than it reaches
           continue;
         SurfaceContact now{};
         now.facet     = zone.facet;

@@ -15,7 +15,7 @@ namespace dem
   class ConvexBody
   {
   public:
-    /** @param corners [m]; of a polygon in their order @param dimension 2: z is not looked at @throws base::InputError as convex_polygon() and Polyhedron */
+    /** @param corners [m]; of a polygon in their order @param dimension 2: z is ignored @throws base::InputError as convex_polygon() and Polyhedron */
     ConvexBody(const std::vector<Eigen::Vector3d> &corners, int dimension);
 
     /** How deep a place lies inside, below 0 outside [m]. */

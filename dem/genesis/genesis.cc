@@ -14,7 +14,7 @@ namespace dem
   namespace
   {
     constexpr double       first_scale   = 0.5;
-    constexpr std::int64_t piece         = 25;  ///< steps between two looks
+    constexpr std::int64_t piece         = 25;  ///< steps between two checks
     constexpr std::int64_t calming       = 100; ///< steps between two stops while overlaps are large
     constexpr double       large_overlap = 0.1;
     /** While fewer contacts than particles push nothing can be jammed: an increment is over when they have moved apart. */
@@ -83,8 +83,8 @@ namespace dem
       r *= first_scale;
     const Insertion made = insert_at_random(p.vessel, half, p.seed);
     overlapping          = made.overlaps;
-    asked                = made.packing.radius;
-    for (double &r : asked)
+    requested            = made.packing.radius;
+    for (double &r : requested)
       r /= first_scale;
     longest_change = longest_stress_change;
     assembly       = std::make_unique<GrowingAssembly>(made.packing, p.vessel, p.material);
@@ -118,7 +118,7 @@ namespace dem
 
   void Genesis::scale_all(const double factor)
   {
-    std::vector<double> radii(asked.size());
+    std::vector<double> radii(requested.size());
     for (std::size_t i = 0; i < radii.size(); ++i)
       radii[i] = factor * assembly->radius(i);
     scale *= factor;
@@ -128,7 +128,7 @@ namespace dem
 
   void Genesis::grow_on(const GrowthMeasures &m)
   {
-    const bool loose = m.touching < static_cast<std::int64_t>(asked.size());
+    const bool loose = m.touching < static_cast<std::int64_t>(requested.size());
     const bool over  = m.touching == 0 || m.ratio <= parameters.increment_ratio ||
                       (loose && m.largest_overlap < loose_overlap) || steps_in_round >= parameters.increment_steps;
     if (!over)
@@ -182,7 +182,7 @@ namespace dem
     const double enough   = pressure > far_above || pressure < 0.5               ? nearly :
                             std::abs(pressure - 1) > parameters.stress_tolerance ? std::sqrt(parameters.ratio * nearly) :
                                                                                    parameters.ratio;
-    const bool   loose    = m.touching < static_cast<std::int64_t>(asked.size()) && pressure < 0.5;
+    const bool   loose    = m.touching < static_cast<std::int64_t>(requested.size()) && pressure < 0.5;
     return m.touching == 0 || m.ratio <= enough ||
            steps_in_round >= (loose ? parameters.increment_steps : parameters.solve_steps);
   }
@@ -251,13 +251,13 @@ namespace dem
     report.largest_overlap = m.largest_overlap;
     report.scale           = scale;
     double ends = 0, radii = 0, wanted = 0;
-    for (std::size_t i = 0; i < asked.size(); ++i)
+    for (std::size_t i = 0; i < requested.size(); ++i)
       {
         ends += contacts[i];
         radii += assembly->radius(i);
-        wanted += scale * asked[i];
+        wanted += scale * requested[i];
       }
-    report.contact_number  = ends / static_cast<double>(asked.size());
+    report.contact_number  = ends / static_cast<double>(requested.size());
     report.diameter_change = radii / wanted - 1;
     finished_stages.push_back(report);
     stage              = next;

@@ -112,7 +112,7 @@ namespace dem
 
     GenesisParameters                parameters;
     std::unique_ptr<GrowingAssembly> assembly;
-    std::vector<double>              asked; ///< radii, in the order of the packing [m]
+    std::vector<double>              requested; ///< radii, in the order of the packing [m]
     std::size_t                      overlapping = 0;
 
     GenesisStage                    stage = GenesisStage::growth;

@@ -14,7 +14,7 @@ namespace dem
   {
     /** Part of the stable step that a step is. */
     constexpr double step_factor = 0.8;
-    /** How far beyond the particles' radii walls are looked for, in mean radii. */
+    /** How far beyond the particles' radii walls are sought, in mean radii. */
     constexpr double wall_skin = 0.25;
 
     Physics physics_of(const Vessel &vessel)
@@ -124,7 +124,7 @@ namespace dem
   void GrowingAssembly::look_for_contacts()
   {
     const auto searches = search.searches();
-    const auto born     = search.look(particles, none, contacts);
+    const auto born     = search.find_contacts(particles, none, contacts);
     if (search.searches() != searches)
       for (std::size_t l = 0; l < contacts.count; ++l)
         if (contacts.is_alive(l) && !search.is_near(particles, {contacts.first[l], contacts.second[l], 0}))

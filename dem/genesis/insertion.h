@@ -18,7 +18,7 @@ namespace dem
 
   /**
    * Put particles of these radii at random places inside a vessel, the largest first, none overlapping another: each is drawn again until
-   * it is free (doc/theory/genesis.md, 1). Particles of several sizes are looked up in one grid per size, so that small ones among
+   * it is free (doc/theory/genesis.md, 1). Particles of several sizes are found in one grid per size, so that small ones among
    * large ones are found as fast as among their like.
    *
    * @param radii [m]; the packing has them in descending order @param attempts per particle, after which it may overlap

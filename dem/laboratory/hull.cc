@@ -139,7 +139,7 @@ namespace dem
 
     [[noreturn]] void lost()
     {
-      throw base::NumericalError("the ball that looks for a membrane's particles does not come back to where it began. "
+      throw base::NumericalError("the ball that finds a membrane's particles does not come back to where it began. "
                                  "Choose another Membrane ball.");
     }
 

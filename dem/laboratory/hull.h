@@ -28,7 +28,7 @@ namespace dem
    * diameter, have no part in it. (Ball pivoting: Bernardini et al., IEEE Trans. Vis. Comput. Graph. 5 (1999) 349, of spheres of their
    * own sizes in place of points.)
    *
-   * @param centre, radius of the particles [m] @param dimension 2 (then z is not looked at) or 3
+   * @param centre, radius of the particles [m] @param dimension 2 (then z is ignored) or 3
    * @param ball radius of the ball [m], > 0: smaller than the pores it may not enter are wide, it finds them
    * @return no facet where the ball finds no way around: a single particle, or in space a flat body
    */

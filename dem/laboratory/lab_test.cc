@@ -14,7 +14,7 @@ namespace dem
   {
     using Test = LabParameters::Test;
 
-    /** Steps between two looks at whether a specimen rests: each costs about as much as a step. */
+    /** Steps between two checks whether a specimen rests: each costs about as much as a step. */
     constexpr std::int64_t look_every = 50;
     /** Relative deviation from the prescribed pressure that is allowed when a test begins. */
     constexpr double near_enough = 0.01;

@@ -160,7 +160,7 @@ namespace dem
     LabReading   last;
     TestRecord   rows;
     double       gauge_zero = 0, lateral_zero = 0;     ///< strains of the gauges where the loading began
-    double       gauge_before = 0, lateral_before = 0; ///< likewise, when it was last looked whether they move
+    double       gauge_before = 0, lateral_before = 0; ///< likewise, when it was last checked whether they move
     std::int64_t still_steps = 0;                      ///< for which they have hardly moved
     std::int64_t unconfined = 0, unsettled = 0,
                  unseated = 0; ///< 1: a stage ended without having come to what it should

@@ -13,7 +13,7 @@ namespace dem
     constexpr double middle = 0.5, window_from = 0.45, window_to = 0.55;
     /** Part of the curve that the smoothed strength is a mean over. */
     constexpr double smoothed_part = 0.005;
-    /** Stress, as part of the peak, from which a loading is looked at for being static: below there is hardly any force. */
+    /** Stress, as part of the peak, from which a loading is checked for being static: below there is hardly any force. */
     constexpr double looked_at_from = 0.1;
     constexpr int    least_rows     = 3; ///< of a line
 
@@ -150,12 +150,12 @@ namespace dem
     const TestRecord &r     = curve.record;
     const auto        load  = load_of(curve);
     double            apart = 0, kinetic = 0, unbalanced = 0;
-    bool              looked = false, worked = false;
+    bool              checked = false, worked = false;
     for (std::size_t row = 0; row < r.rows() && r.at(row, TestRecord::strain) <= curve.at_peak; ++row)
       {
         if (!(curve.peak > 0) || load[row] < looked_at_from * curve.peak)
           continue;
-        looked            = true;
+        checked           = true;
         const double mean = 0.5 * (r.at(row, TestRecord::low) + r.at(row, TestRecord::high));
         apart             = std::max(apart, r.at(row, TestRecord::imbalance) / std::abs(mean));
         unbalanced        = std::max(unbalanced, r.at(row, TestRecord::force_ratio));
@@ -166,8 +166,8 @@ namespace dem
           }
       }
     const char *const unseen = "no row of the curve lies between a tenth of the largest stress and it";
-    found.imbalance          = looked ? Finding::of(apart) : Finding::none(unseen);
-    found.force_ratio        = looked ? Finding::of(unbalanced) : Finding::none(unseen);
+    found.imbalance          = checked ? Finding::of(apart) : Finding::none(unseen);
+    found.force_ratio        = checked ? Finding::of(unbalanced) : Finding::none(unseen);
     found.kinetic = worked ? Finding::of(kinetic) : Finding::none("no work was done up to the largest stress");
     return found;
   }

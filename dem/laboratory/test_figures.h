@@ -58,7 +58,7 @@ namespace dem
     Finding kinetic;
     /** Largest Specimen::force_ratio(), likewise. */
     Finding force_ratio;
-    /** By how much the strength differs at half the speed, over it; only where that was looked at: see effect_of_speed(). */
+    /** By how much the strength differs at half the speed, over it; only where that was checked: see effect_of_speed(). */
     Finding speed = Finding::none("the loading was not repeated at half the speed");
 
     static constexpr double most_imbalance = 0.01, most_kinetic = 0.001, most_speed = 0.02;

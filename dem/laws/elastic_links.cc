@@ -9,7 +9,7 @@ namespace dem
     CpmParameters law;
     law.normal_modulus = normal_modulus;
     law.shear_ratio    = shear_ratio;
-    // Limits that physics without damage and friction never look at, but which must be possible.
+    // Limits that physics without damage and friction never reach, but which must be possible.
     law.limit_elastic_strain = 1;
     law.relative_ductility   = 2;
     law.cohesion             = 1e3 * normal_modulus;

@@ -49,7 +49,7 @@ namespace dem
 
   /**
    * Where a joint stands: gap in its middle and turns over the radius, as changes of gap over the reference length (doc/theory/flat-joint.md, 3).
-   * @tparam m see FlatJoint::State; in the plane all that is about axis 1 or along axis 2 is zero, and not looked at
+   * @tparam m see FlatJoint::State; in the plane all that is about axis 1 or along axis 2 is zero, and ignored
    */
   template <typename T, int m>
   struct JointOpening

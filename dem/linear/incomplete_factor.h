@@ -12,7 +12,7 @@ namespace dem
    * Incomplete LU factor of a matrix of blocks: what elimination would put outside the pattern is dropped (Meijerink and van der
    * Vorst 1977, with blocks in place of numbers). Unsymmetric and indefinite matrices are taken as they come.
    *
-   * @tparam Number float halves what is read of it; an iteration that it steers does not notice
+   * @tparam Number float halves what is read; an iteration that it steers does not notice
    */
   template <typename Number>
   class IncompleteFactor

@@ -15,8 +15,8 @@ namespace dem
   {
     using PerLoad = std::array<double, load_lanes>;
 
-    /** Iterations before the direct method is thought of; doubled from look to look. */
-    constexpr int first_look = 500;
+    /** Iterations before the direct method is thought of; doubled from check to check. */
+    constexpr int first_interval = 500;
 
     /** Multiplications and additions of one iteration, counted in the kernels. */
     double operations_per_iteration(const StiffnessOperator &stiffness)
@@ -149,9 +149,9 @@ namespace dem
       std::unique_ptr<SparseFactor> factor;
       const bool                    may_switch = solution.p.method == SolverMethod::automatic;
       double                        before     = 1;
-      for (int look = first_look; solution.report.iterations < solution.p.max_iterations; look *= 2)
+      for (int interval = first_interval; solution.report.iterations < solution.p.max_iterations; interval *= 2)
         {
-          const int chunk = std::min(look, solution.p.max_iterations - solution.report.iterations);
+          const int chunk = std::min(interval, solution.p.max_iterations - solution.report.iterations);
           solution.report.operations += chunk * operations_per_iteration(solution.stiffness);
           if (solution.iterate(iteration, preconditioner, chunk))
             return;

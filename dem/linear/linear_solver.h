@@ -41,7 +41,7 @@ namespace dem
   };
 
   /**
-   * Solve K x = -(forces of the macroscopic strains) + b in the load lanes, and look for mechanisms in the probe lanes.
+   * Solve K x = -(forces of the macroscopic strains) + b in the load lanes, and find mechanisms in the probe lanes.
    *
    * The choice between the methods depends on operation counts only, never on the clock: the same input gives the same bits.
    *
@@ -49,7 +49,7 @@ namespace dem
    * @param x          in: prescribed values in held motions, a start elsewhere; out: the solution [m]; probe lanes: scratch
    * @param strain     of the load lanes
    * @param translates see find_mechanisms()
-   * @return never without `converged` telling whether the tolerance was reached
+   * @return with `converged`: whether the tolerance was reached
    */
   SolverReport solve_linear(const StiffnessOperator &stiffness,
                             const Fields            &b,

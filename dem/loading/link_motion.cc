@@ -198,9 +198,9 @@ namespace dem
     class Holder
     {
     public:
-      Holder(HeldLink &held, const LinkPair &pair, const LinkMotionPath &asked)
+      Holder(HeldLink &held, const LinkPair &pair, const LinkMotionPath &requested)
         : link(held)
-        , path(asked)
+        , path(requested)
         , dimension(pair.dimension)
       {
         for (int c = 0; c < LinkMotionPath::components; ++c)
@@ -227,7 +227,7 @@ namespace dem
 
     private:
       int    at(const int c) const { return place_of(dimension, c); }
-      double asked(const int c, const std::size_t r) const
+      double requested(const int c, const std::size_t r) const
       {
         return (c == 0 ? 1.0 : -1.0) * path.component[c].values[r];
       }
@@ -262,8 +262,8 @@ namespace dem
             for (const int c : forces)
               {
                 const double unit = at(c) < 3 ? 1.0 : arm;
-                off               = std::max(off, std::fabs(asked(c, r) - found[at(c)]) / unit);
-                wanted            = std::max(wanted, std::fabs(asked(c, r)) / unit);
+                off               = std::max(off, std::fabs(requested(c, r) - found[at(c)]) / unit);
+                wanted            = std::max(wanted, std::fabs(requested(c, r)) / unit);
               }
             if (off <= tolerance * std::max({wanted, scale, std::numeric_limits<double>::min()}))
               return true;
@@ -291,7 +291,7 @@ namespace dem
           {
             const int    row  = at(forces[static_cast<std::size_t>(i)]);
             const double unit = row < 3 ? 1.0 : arm;
-            missing[i]        = (asked(forces[static_cast<std::size_t>(i)], r) - found[row]) / unit;
+            missing[i]        = (requested(forces[static_cast<std::size_t>(i)], r) - found[row]) / unit;
             for (Eigen::Index j = 0; j < n; ++j)
               {
                 const int column = at(forces[static_cast<std::size_t>(j)]);

@@ -26,7 +26,7 @@ namespace dem
     }
   } // namespace
 
-  std::optional<Band> LocalisationWatch::look(const ObservedSpecimen &specimen, const Sample &now)
+  std::optional<Band> LocalisationWatch::update(const ObservedSpecimen &specimen, const Sample &now)
   {
     const Sample before = std::exchange(last, now);
     if (has_localised != 0 || samples++ == 0)

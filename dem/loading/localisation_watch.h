@@ -18,7 +18,7 @@ namespace dem
   class LocalisationWatch
   {
   public:
-    /** What is looked at, of one instant. */
+    /** What is sampled at one instant. */
     struct Sample
     {
       base::Vector6 strain = base::Vector6::Zero(), stress = base::Vector6::Zero();
@@ -31,8 +31,8 @@ namespace dem
     {
     }
 
-    /** The next sample of that specimen. @return the band in which it has just localised; after that it looks no more */
-    std::optional<Band> look(const ObservedSpecimen &specimen, const Sample &now);
+    /** The next sample of that specimen. @return the band in which it has just localised; after that it samples no more */
+    std::optional<Band> update(const ObservedSpecimen &specimen, const Sample &now);
 
     /** Number of the sample before the stress began to fall, from 0. */
     std::optional<std::int64_t> onset() const

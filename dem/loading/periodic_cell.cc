@@ -49,11 +49,11 @@ namespace dem
   bool StressAtEnd::missed() const
   {
     constexpr double of_itself = 0.5, of_largest = 0.05;
-    return asked != 0 && std::abs(is - asked) > of_itself * std::abs(asked) &&
-           std::abs(is - asked) > of_largest * largest;
+    return requested != 0 && std::abs(is - requested) > of_itself * std::abs(requested) &&
+           std::abs(is - requested) > of_largest * largest;
   }
 
-  bool StressAtEnd::inaccurate() const { return asked != 0 && std::abs(is - asked) > 0.1 * largest; }
+  bool StressAtEnd::inaccurate() const { return requested != 0 && std::abs(is - requested) > 0.1 * largest; }
 
   CellTest::CellTest(Specimen &body, const CellTestParameters &p)
     : specimen(&body)
@@ -80,7 +80,7 @@ namespace dem
     steps_of_leg = std::max<std::int64_t>(1, std::llround(now.duration / specimen->time_step()));
   }
 
-  base::Vector6 CellTest::asked(const std::int64_t step) const
+  base::Vector6 CellTest::requested(const std::int64_t step) const
   {
     const double part = static_cast<double>(step) / static_cast<double>(steps_of_leg);
     return step == steps_of_leg ? parameters.path[leg].target :
@@ -126,7 +126,7 @@ namespace dem
     const double dt = specimen->time_step();
     if (specimen->steps() % steps_between_looks == 0)
       stiffness.follow(*specimen);
-    const base::Vector6 now = asked(step_of_leg), next = asked(step_of_leg + 1);
+    const base::Vector6 now = requested(step_of_leg), next = requested(step_of_leg + 1);
     const base::Vector6 to = servo(now, next);
     for (int c = 0; c < 6; ++c)
       if (parameters.path[leg].stress_given[c] && !(std::abs(to[c]) <= parameters.strain_limit))
@@ -150,7 +150,7 @@ namespace dem
   void CellTest::stand_still()
   {
     specimen->set_velocity_gradient(Eigen::Matrix3d::Zero());
-    aim           = asked(step_of_leg);
+    aim           = requested(step_of_leg);
     aim_is_stress = parameters.path[leg].stress_given;
     specimen->advance(1);
   }
@@ -160,7 +160,7 @@ namespace dem
     StressAtEnd end;
     end.leg       = leg;
     end.component = component;
-    end.asked     = aim[component];
+    end.requested = aim[component];
     end.is        = stress()[component];
     end.strain    = strain[component];
     for (std::size_t c = 0; c < 6; ++c)
@@ -171,7 +171,9 @@ namespace dem
 
   std::optional<StressAtEnd> CellTest::worst_at_end() const
   {
-    const auto rank = [](const StressAtEnd &end) { return std::make_pair(end.missed(), std::abs(end.is - end.asked)); };
+    const auto rank = [](const StressAtEnd &end) {
+      return std::make_pair(end.missed(), std::abs(end.is - end.requested));
+    };
     std::optional<StressAtEnd> worst;
     for (std::int64_t c = 0; c < 6; ++c)
       if (aim_is_stress[static_cast<std::size_t>(c)])
@@ -230,7 +232,7 @@ namespace dem
 
   void CellTest::watch_for_localisation(CellSample &now)
   {
-    if (const std::optional<Band> band = watch.look(*specimen, {now.strain, now.stress, now.dissipated}))
+    if (const std::optional<Band> band = watch.update(*specimen, {now.strain, now.stress, now.dissipated}))
       {
         now.localised = true;
         found         = Localisation{samples[static_cast<std::size_t>(*watch.onset())], now, *band};
@@ -267,8 +269,8 @@ namespace dem
       constexpr std::size_t numbers_per_end = 7;
       base::Column          flat;
       for (const StressAtEnd &e : ends)
-        flat.insert(flat.end(), {static_cast<double>(e.leg), static_cast<double>(e.component), e.asked, e.is, e.strain,
-                                 e.largest, e.at_limit ? 1.0 : 0.0});
+        flat.insert(flat.end(), {static_cast<double>(e.leg), static_cast<double>(e.component), e.requested, e.is,
+                                 e.strain, e.largest, e.at_limit ? 1.0 : 0.0});
       visitor.column("cell_test/stresses_at_ends", flat);
       ends.clear();
       for (std::size_t i = 0; i < flat.size(); i += numbers_per_end)

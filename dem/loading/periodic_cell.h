@@ -52,12 +52,12 @@ namespace dem
   /** The prescribed stress of a leg that is furthest from its target, where the leg ends. */
   struct StressAtEnd
   {
-    std::int64_t leg       = 0;     ///< from 0
-    std::int64_t component = 0;     ///< in the order of the legs
-    double       asked = 0, is = 0; ///< [Pa]
-    double       strain   = 0;      ///< of this component
-    double       largest  = 0;      ///< |stress| prescribed of any component [Pa]
-    bool         at_limit = false;  ///< the strain limit has ended the leg
+    std::int64_t leg       = 0;         ///< from 0
+    std::int64_t component = 0;         ///< in the order of the legs
+    double       requested = 0, is = 0; ///< [Pa]
+    double       strain   = 0;          ///< of this component
+    double       largest  = 0;          ///< |stress| prescribed of any component [Pa]
+    bool         at_limit = false;      ///< the strain limit has ended the leg
 
     /** The cell bears less than half of it, by more than waves in the other components would make of nothing. */
     bool missed() const;
@@ -78,7 +78,7 @@ namespace dem
    * localisation. The specimen must outlive the test.
    *
    * The deformation is F = 1 + E with E symmetric. Strains are imposed exactly: G = ((1 + E) F^-1 - 1)/dt each step. Stresses are
-   * reached by a servo on the strains of their components, E += K^-1 (stress asked next - stress now) dt/T with K the affine stiffness
+   * reached by a servo on the strains of their components, E += K^-1 (stress prescribed next - stress now) dt/T with K the affine stiffness
    * (the stiffest answer the cell can give, hence never too large a step), and what K foretells of the imposed strains and stresses.
    * A cell that does not hold together is closed so slowly that its particles do not meet with more than the prescribed stress.
    *
@@ -117,7 +117,7 @@ namespace dem
     StressAtEnd stress_at_end(std::int64_t component) const;
     /** The prescribed stress that is missed, or furthest from its target; none if none is prescribed. */
     std::optional<StressAtEnd> worst_at_end() const;
-    base::Vector6              asked(std::int64_t step_of_leg) const;
+    base::Vector6              requested(std::int64_t step_of_leg) const;
     base::Vector6              servo(const base::Vector6 &now, const base::Vector6 &next) const;
     base::Vector6              stress() const;
     CellSample                 sample() const;

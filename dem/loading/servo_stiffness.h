@@ -22,7 +22,7 @@ namespace dem
     bool holds_together() const { return resists; }          ///< the cell resisted every strain when this was made
     /** Of a pressure wave along the largest height of the cell, when this was made [s]. */
     double crossing_time() const { return crossing; }
-    /** Look at what has come to touch in a cell that did not hold together. */
+    /** Account for new contacts in a cell that did not hold together. */
     void follow(const ObservedSpecimen &specimen);
 
     void visit_state(base::StateVisitor &visitor);

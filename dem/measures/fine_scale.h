@@ -28,7 +28,7 @@ namespace dem
     FineScaleFilter() = default;
     /**
      * @param spacing of the grid [m], > 0 @param dimension 2: all of it lies in the plane z = 0 @param sharpness p, >= 1
-     * @param components of velocities that can be other than zero: the others are not looked at
+     * @param components of velocities that can be other than zero: the others are ignored
      */
     FineScaleFilter(const Carriers               &carriers,
                     double                        spacing,

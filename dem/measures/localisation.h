@@ -26,7 +26,7 @@ namespace dem
   /**
    * Mean resultant length over the 13 plane waves with k in {-1, 0, 1}^3 that fit the cell, the largest of them (directional statistics:
    * Mardia and Jupp, 2000, Directional Statistics, 2.3 and 6.3.1). Periodic by construction: a band across the cell's boundary counts
-   * like any other. Only bands that close on themselves in the cell are looked for, as only those can form in it.
+   * like any other. Only bands that close on themselves in the cell are sought, as only those can form in it.
    *
    * @param base H, columns are the base vectors [m]; in the plane (dimension 2) waves along the third are left out
    * @param weights not negative; none positive: a band of concentration 0

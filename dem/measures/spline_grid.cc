@@ -51,7 +51,7 @@ namespace dem
     : places(all.size())
     , first(all.size())
     , given(all.size())
-    , asked(components)
+    , requested(components)
     , step(spacing)
     , layers(dimension == 3 ? 4 : 1)
   {
@@ -132,7 +132,7 @@ namespace dem
                        high_rows  = Pack::load_unaligned(&place.across[8]);
             for (std::size_t c = 0; c < Count; ++c)
               {
-                const double value = factors[next] * values[record * next + asked.first + c];
+                const double value = factors[next] * values[record * next + requested.first + c];
                 for (std::size_t z = 0; z < Layers; ++z)
                   {
                     const Pack share(Layers == 1 ? value : value * place.along[z]);
@@ -195,7 +195,7 @@ namespace dem
                         high_sum = multiply_add(Pack(place.along[z]), block.packs[c][2 * z + 1], high_sum);
                       }
                   }
-                const std::size_t at = record * next + asked.first + c;
+                const std::size_t at = record * next + requested.first + c;
                 left[at] = factors[next] * (values[at] - sum_of(multiply_add(low_sum, low_rows, high_sum * high_rows)));
               }
           }
@@ -207,7 +207,7 @@ namespace dem
   {
     const auto of_layers = [&](auto number) {
       constexpr std::size_t of = decltype(number)::value;
-      switch (asked.count)
+      switch (requested.count)
         {
         case 1:
           return use(&SplineGrid::spread_part<of, 1>, &SplineGrid::take_off_part<of, 1>);
@@ -225,7 +225,7 @@ namespace dem
 
   void SplineGrid::spread(const base::Column &values, const base::Column &factors, base::Column &grid) const
   {
-    const std::size_t numbers = asked.count * knot_count, count = parts();
+    const std::size_t numbers = requested.count * knot_count, count = parts();
     grid.assign(numbers, 0.0);
     if (count > 1)
       of_parts.assign(numbers * (count - 1), 0.0);

@@ -38,7 +38,7 @@ namespace dem
     /** Which of the given places each of the grid's is. */
     const std::vector<std::size_t> &order() const { return given; }
     std::size_t                     knots() const { return knot_count; }
-    const Components               &components() const { return asked; }
+    const Components               &components() const { return requested; }
     Eigen::Vector3d                 place_of_knot(std::size_t knot) const; ///< [m]
 
     /** Sum up values times factors. @param grid what was there is lost */
@@ -82,7 +82,7 @@ namespace dem
     std::vector<Place, base::ColumnAllocator<Place>> places;
     std::vector<std::uint32_t>                       first; ///< knot of each place
     std::vector<std::size_t>                         given;
-    Components                                       asked;
+    Components                                       requested;
     double                                           step = 0;                   ///< spacing [m]
     std::array<long, 3>                              low{}, size{1, 1, 1};       ///< first cell; knots along each axis
     std::size_t                                      knot_count = 0, layers = 4; ///< layers that a place has weights on

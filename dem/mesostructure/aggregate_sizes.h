@@ -30,7 +30,7 @@ namespace dem
   /**
    * The same, with the increment tuned. About its target the volume goes in saw teeth, as the largest aggregate comes and goes: that increment
    * is taken whose volume and passing are nearest, as parts of 0.5 % and 0.005, within which both are unless aggregates are too few.
-   * @param volume of the aggregates that are asked for [m^3], > 0 @throws base::InputError also where not one aggregate is so small
+   * @param volume of the requested aggregates [m^3], > 0 @throws base::InputError also where not one aggregate is so small
    */
   AggregateSizes sizes_for_volume(const GradingCurve &curve, double smallest, double volume);
 

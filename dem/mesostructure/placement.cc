@@ -287,10 +287,11 @@ namespace dem
       double volume = 0;
       for (const double d : diameters)
         volume += M_PI / 6 * d * d * d;
-      const double asked = volume / p.box.prod();
-      throw base::InputError("Aggregates: content = " + base::number_text(asked) + " of the box: " +
-                             (reached > 0 ? base::number_text(asked * reached * reached * reached) + " was reached" :
-                                            "no place was found for them at a third of their size") +
+      const double requested = volume / p.box.prod();
+      throw base::InputError("Aggregates: content = " + base::number_text(requested) + " of the box: " +
+                             (reached > 0 ?
+                                base::number_text(requested * reached * reached * reached) + " was reached" :
+                                "no place was found for them at a third of their size") +
                              ". Lower the content or the distances, or enlarge the specimen.");
     }
   } // namespace

@@ -40,7 +40,7 @@ namespace dem
     bool        shown = false; ///< to observers: in ParaView files
   };
 
-  /** One link as it lies, for everything that looks at single links. */
+  /** One link as it lies, for everything that treats single links. */
   struct LinkGeometry
   {
     double strain    = 0; ///< (length - reference) / reference

@@ -52,7 +52,7 @@ namespace dem
           if (laws.back()->waits() != laws.front()->waits())
             throw base::InputError(std::string("Contacts: those of law ") + laws.front()->name() + " and of law " +
                                    laws.back()->name() +
-                                   " are looked for in different ways and cannot be in one specimen. Choose one law "
+                                   " are sought in different ways and cannot be in one specimen. Choose one law "
                                    "for the contacts of all materials (Contacts = linear).");
         }
       return std::make_shared<LawsByPair>(std::move(laws), kinds);

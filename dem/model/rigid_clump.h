@@ -34,7 +34,7 @@ namespace dem
   };
 
   /** How a particle is to move at the start; of a component that is not given one that is alone rests, and a pebble follows its body. */
-  struct AskedVelocity
+  struct PrescribedVelocity
   {
     std::size_t         particle = 0;                                                       ///< by packing number
     Eigen::Vector3d     velocity = Eigen::Vector3d::Zero(), spin = Eigen::Vector3d::Zero(); ///< [m/s, rad/s]

@@ -26,7 +26,7 @@ namespace dem
    * All pairs with |x_K + H k - x_J| < factor (r_J + r_K) + skin, a tie (tie.h) excluded, each periodic image a pair of its own,
    * however small the cell (doc/theory/links.md, 2). Sorted, the same for any number of threads and any translation.
    *
-   * Particles are sorted into one uniform grid per size class (reach halves from class to class); each looks among its own
+   * Particles are sorted into one uniform grid per size class (reach halves from class to class); each searches its own
    * class and the larger ones, so that the cost does not grow with the size ratio (hierarchical grid: Krijgsman, Ogarko,
    * Luding, 2014, Comput. Part. Mech. 1, 357).
    *

@@ -81,7 +81,7 @@ namespace dem
   {
     std::vector<Eigen::Vector3d> centre; ///< [m]
     std::vector<double>          radius; ///< [m]
-    Eigen::Matrix3d              cell; ///< H, columns are the base vectors [m]; in the plane the third is not looked at
+    Eigen::Matrix3d              cell;   ///< H, columns are the base vectors [m]; in the plane the third is ignored
   };
 
   /**

@@ -60,9 +60,9 @@ namespace dem
     class Compaction
     {
     public:
-      Compaction(const CompactionParameters &p, const std::function<bool(const CompactionProgress &)> &tell)
+      Compaction(const CompactionParameters &p, const std::function<bool(const CompactionProgress &)> &on_progress)
         : parameters(p)
-        , progress(tell)
+        , progress(on_progress)
         , assembly(loose_spheres(p), {p.friction, p.shear_ratio, p.damping, time_step(p), p.moulded})
       {
       }

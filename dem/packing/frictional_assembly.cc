@@ -205,9 +205,9 @@ namespace dem
         const Vec<Pack, 3> direction = (Pack(1.0) / length) * ends.branch, arm = Pack(0.5) * ends.branch;
         const Vec<Pack, 3> slip  = (ends.branch - read(pairs.branch, l)) - cross(ends.turns, arm);
         Vec<Pack, 3>       shear = across(direction, multiply_add(Pack(1 / reference), slip, read(pairs.shear, l)));
-        LinkWork<Pack>     unasked;
+        LinkWork<Pack>     unused;
         const auto answer = linear_contact_force(law, Pack(1 / reference) * (length - Pack(reference)), Pack(area),
-                                                 Pack(reference), slip, shear, unasked);
+                                                 Pack(reference), slip, shear, unused);
         write(pairs.branch, l, ends.branch);
         write(pairs.shear, l, shear);
         pushed                    = negative_multiply_add(answer.normal, length, pushed);

@@ -17,7 +17,7 @@ namespace dem::peridynamics
   {
     Eigen::Vector3d from  = Eigen::Vector3d::Zero(),
                     to    = Eigen::Vector3d::Zero(); ///< ends of the segment, of an edge in space [m]
-    Eigen::Vector3d depth = Eigen::Vector3d::Zero(); ///< the other edge, from `from` on [m]; not looked at in the plane
+    Eigen::Vector3d depth = Eigen::Vector3d::Zero(); ///< the other edge, from `from` on [m]; ignored in the plane
 
     /** Whether a straight line between two points crosses it. */
     bool crosses(const Eigen::Vector3d &a, const Eigen::Vector3d &b, int dimension) const;

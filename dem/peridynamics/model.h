@@ -64,7 +64,7 @@ namespace dem::peridynamics
 
   /**
    * Bond constant: [N/m^6] of the prototype, [N/m^7] of the general model. Silling, Askari (2005); Yu et al. (2023).
-   * @param section thickness of a plate [m], section of a rod [m^2]; not looked at in space
+   * @param section thickness of a plate [m], section of a rod [m^2]; ignored in space
    */
   double bond_constant(Space space, BondModel model, double young_modulus, double horizon, double section);
 

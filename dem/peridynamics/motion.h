@@ -50,7 +50,7 @@ namespace dem::peridynamics
     void step(Bonds &bonds, const Loads &loads);
 
     /** What loads say has changed since the last step: take it into account in the next one. */
-    void look_at_loads(const Loads &loads) { find_external(loads); }
+    void update_loads(const Loads &loads) { find_external(loads); }
     /** Velocity of a node after the next step's forces have acted, if nothing more than now does [m/s]. */
     Eigen::Vector3d velocity_ahead(std::size_t place) const;
     /** Change a node's velocity at once, along what is not held [m/s]; its energy is external work. */

@@ -33,7 +33,7 @@ namespace dem::peridynamics
      * Solve K du = r in the components that are free; zero in the others.
      * @param tolerance of the residual over r
      * @return false where there is none: a mechanism of nearly broken nodes is loaded. True also where it only comes nearer than a
-     * thousandth, as beside mechanisms that are not: look at the residual
+     * thousandth, as beside mechanisms that are not: see the residual
      */
     bool solve(const Field &r, double tolerance, Field &du) const;
 

@@ -8,7 +8,7 @@
 namespace dem
 {
   /**
-   * Sum of doubles without any loss, rounded once, to the nearest double (ties to even), when it is asked for. So the order of additions, and how
+   * Sum of doubles without any loss, rounded once, to the nearest double (ties to even), when it is read. So the order of additions, and how
    * they are split among threads or ranks, change no bit (doc/theory/ranks.md, 2).
    *
    * A fixed-point number wide enough for every double (Kulisch and Miranker, 1986, SIAM Review 28, 1), in limbs of 32 bits that are kept in

@@ -7,7 +7,7 @@
 
 namespace dem
 {
-  /** Looks at how deep unbonded particles are pressed into each other, as often as some might pass through meanwhile. */
+  /** Measures how deep unbonded particles are pressed into each other, as often as some might pass through meanwhile. */
   class OverlapWatch
   {
   public:
@@ -19,7 +19,7 @@ namespace dem
       std::int64_t step;
       double       time; ///< [s]
     };
-    /** Whether moved() by this would look [m]. */
+    /** Whether moved() by this would measure [m]. */
     bool looks_after(const double largest, const Frame &frame) const
     {
       return !(path + largest <

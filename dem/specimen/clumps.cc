@@ -96,7 +96,7 @@ namespace dem
   namespace
   {
     /** Least squares for the six velocities of a body: along x, y, z, and its spin times a length. */
-    struct AskedMotion
+    struct PrescribedMotion
     {
       using Matrix = Eigen::Matrix<double, 6, 6>;
       using Vector = Eigen::Matrix<double, 6, 1>;
@@ -143,24 +143,24 @@ namespace dem
     body.spin.setZero();
     for (int round = 0; round < 2; ++round) // the second one finds what rounding has left of the first
       {
-        AskedMotion missing;
+        PrescribedMotion missing;
         for (std::size_t k = 0; k < body.members.size(); ++k)
           {
-            const auto     i     = static_cast<std::size_t>(body.members[k]);
-            const double  *asked = &particles.velocity[record_size * i];
-            const Vector3d rate  = body.velocity + body.spin.cross(body.arm(k));
+            const auto     i         = static_cast<std::size_t>(body.members[k]);
+            const double  *requested = &particles.velocity[record_size * i];
+            const Vector3d rate      = body.velocity + body.spin.cross(body.arm(k));
             for (int c = 0; c < 3; ++c)
               {
-                AskedMotion::Vector along, about;
+                PrescribedMotion::Vector along, about;
                 along << Vector3d::Unit(c), body.arm(k).cross(Vector3d::Unit(c)) / length;
                 about << Vector3d::Zero(), Vector3d::Unit(c) / length;
                 if (given.empty() || given[i][static_cast<std::size_t>(c)])
-                  missing.add(along, body.shares[k], asked[c] - rate[c]);
+                  missing.add(along, body.shares[k], requested[c] - rate[c]);
                 if (given.empty() || given[i][static_cast<std::size_t>(3 + c)])
-                  missing.add(about, body.shares[k] * body.own_gyration(particles, k), asked[3 + c] - body.spin[c]);
+                  missing.add(about, body.shares[k] * body.own_gyration(particles, k), requested[3 + c] - body.spin[c]);
               }
           }
-        const AskedMotion::Vector found = missing.solution();
+        const PrescribedMotion::Vector found = missing.solution();
         body.velocity += found.head<3>();
         body.spin += found.tail<3>() / length;
       }

@@ -44,7 +44,7 @@ namespace dem
     bool         under_way = false;
     base::Column pose, motion, velocity; ///< of the particles when they began
     double       glided = 0;             ///< since then [s]
-    double       looked = 0;             ///< of this, when forces were last found [s]
+    double       seen   = 0;             ///< of this, when forces were last found [s]
     GlidePushes  pushes;
     double       work_now = 0, work_after = 0; ///< of surfaces, until and since the beginning [J]
   };
@@ -77,12 +77,12 @@ namespace dem
     double          last_step    = 0; ///< the last one [s]
     double          longest_step = 0; ///< that the present stiffness allows, with the factor [s]
     Gliding         gliding;
-    base::Column    unseen;       ///< after a glide: motion of particles since surfaces last looked; otherwise empty
-    SurfaceEnergies before_glide; ///< at t_n, where surfaces have looked since
+    base::Column    unseen; ///< after a glide: motion of particles since the last update of surfaces; otherwise empty
+    SurfaceEnergies before_glide; ///< at t_n, where surfaces have been updated since
     VelocityKicks   kicks;
     base::Column    before_step, corrected; ///< velocities of particles that a partner may correct, during a step
     EnergyBook      book;
-    double          largest_turn  = 0; ///< of a particle in one of the steps that were looked at [rad]
+    double          largest_turn  = 0; ///< of a particle in one of the steps that were checked [rad]
     Eigen::Matrix3d stress_moment = Eigen::Matrix3d::Zero(); ///< sum l (x) f at t_n [N m]; only if periodic
     CrackRecord     cracks;
     Emission        emission;
@@ -95,12 +95,12 @@ namespace dem
     void refuse_late(const char *what) const;
     /** Where work of sudden changes of velocity is entered; before the first step nowhere: it is initial energy. */
     EnergyFlow *work_of_changes() { return step_count == 0 ? nullptr : &book.work; }
-    /** Before it is looked at from outside: what other ranks have computed. */
+    /** Before it is read from outside: what other ranks have computed. */
     void gather();
-    /** Before contacts, lists or overlaps are looked for: where all particles are. */
+    /** Before contacts, lists or overlaps are sought: where all particles are. */
     void gather_places();
     void gather_glide();
-    /** Before one is looked at, by its number in the particles' order. */
+    /** Before one is read, by its number in the particles' order. */
     void gather_particle(std::int32_t particle);
     /** In the particles' order, ascending. */
     std::vector<std::int32_t> corrected_by(const StepPartner &partner) const;
@@ -204,7 +204,7 @@ namespace dem
     void sum_stress();
     /** Sum up what blocks, kicks, grips and cell say of the step, in their order. */
     void account(const StepHalves &halves);
-    /** Look at the links that broke in this step, or are gone: enter broken bonds in the crack log, take out those that are gone. */
+    /** Handle the links that broke in this step, or are gone: enter broken bonds in the crack log, take out those that are gone. */
     void settle_events(LinkSet &links, const LinkLaw &law);
     void delete_link(LinkSet &links, const LinkReader &link, std::size_t number);
     /** Make contacts of pairs that have begun to overlap (or, where they wait, may soon), where motion can have made one. */
@@ -223,7 +223,7 @@ namespace dem
     void log_torn_glue();
     /** Glue particles to a surface. @throws base::InputError where no particle is near, or the law has no bonds */
     void glue(std::size_t surface, const SurfaceGlue &glue);
-    /** Look where particles are before the first step. @return energy of surfaces that the account starts from [J] @throws base::InputError */
+    /** Take where particles are before the first step. @return energy of surfaces that the account starts from [J] @throws base::InputError */
     double begin_surfaces();
     /** Move the surfaces, and take up what they have done in the halves of this step. */
     void advance_surfaces(const StepHalves &halves);

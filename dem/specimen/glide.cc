@@ -81,7 +81,7 @@ namespace dem
       {
         const std::size_t at = record_size * i;
         for (std::size_t c = 0; c < 6; ++c)
-          unseen[at + c] -= gliding.looked * gliding.velocity[at + c];
+          unseen[at + c] -= gliding.seen * gliding.velocity[at + c];
         const Eigen::Vector3d here(&particles.pose[at]), glided_to(&gliding.pose[at]);
         if (i >= first && i < last)
           largest = std::max(largest, (here - glided_to).squaredNorm());
@@ -91,8 +91,8 @@ namespace dem
 
   void SpecimenCore::finish_glide()
   {
-    if (gliding.looked ==
-        gliding.glided) // surfaces have looked at the end already, and stand still until they look again
+    if (gliding.seen ==
+        gliding.glided) // surfaces are updated at the end already, and stand still until their next update
       {
         gliding.work_after += surfaces.add_work_of_last_motion();
         surfaces.rest();

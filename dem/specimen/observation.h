@@ -23,7 +23,7 @@ namespace dem
   struct ElasticNetwork;
 
   /**
-   * What can be read of a specimen. Code that only looks at a specimen takes one of these, and depends on nothing that builds or moves it.
+   * What can be read of a specimen. Code that only reads a specimen takes one of these, and depends on nothing that builds or moves it.
    * Unless said otherwise, forces and energies are those at t_n of the last step.
    */
   class ObservedSpecimen

@@ -96,6 +96,6 @@ namespace dem
     std::size_t  wall_contacts      = 0; ///< of particles with surfaces, at t_n
     double       deepest_overlap =
       0;                     ///< that there has been of unbonded particles, over the smaller radius: see DeepestOverlap
-    double largest_turn = 0; ///< of a particle in a step, of those that were looked at, every hundredth [rad]
+    double largest_turn = 0; ///< of a particle in a step, of those that were checked, every hundredth [rad]
   };
 } // namespace dem

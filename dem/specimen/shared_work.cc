@@ -11,14 +11,14 @@ namespace dem
   namespace
   {
     /** Numbers of a record that say something: three and three. */
-    constexpr std::size_t told = 6;
+    constexpr std::size_t exchanged = 6;
 
     /** What records of some particles say, one after the other. */
     void put_records(const std::vector<base::Column *> &columns, const std::vector<std::int32_t> &of, double *numbers)
     {
       for (const std::int32_t i : of)
         for (const base::Column *column : columns)
-          numbers = std::copy_n(&(*column)[record_size * static_cast<std::size_t>(i)], told, numbers);
+          numbers = std::copy_n(&(*column)[record_size * static_cast<std::size_t>(i)], exchanged, numbers);
     }
 
     void
@@ -27,8 +27,8 @@ namespace dem
       for (const std::int32_t i : of)
         for (base::Column *column : columns)
           {
-            std::copy_n(numbers, told, &(*column)[record_size * static_cast<std::size_t>(i)]);
-            numbers += told;
+            std::copy_n(numbers, exchanged, &(*column)[record_size * static_cast<std::size_t>(i)]);
+            numbers += exchanged;
           }
     }
 
@@ -90,7 +90,7 @@ namespace dem
               for_contents(links, block, [&](double *numbers, const std::size_t count) { use(r, numbers, count); });
               for (const std::int32_t i : ends_of(links, {links.part_of_block(block)}, particles.count))
                 for (base::Column *column : {&particles.pose, &particles.motion})
-                  use(r, &(*column)[record_size * static_cast<std::size_t>(i)], told);
+                  use(r, &(*column)[record_size * static_cast<std::size_t>(i)], exchanged);
             }
           if (begin.size() <= size())
             begin.push_back(sizeof(double) * all.size());
@@ -171,7 +171,7 @@ namespace dem
     return std::binary_search(known.begin(), known.end(), particle);
   }
 
-  // --- To look at all of it ---
+  // --- To read all of it ---
 
   void SharedWork::gather(void *array, const std::vector<std::size_t> &begin)
   {
@@ -182,11 +182,11 @@ namespace dem
 
   void SharedWork::gather_records(const std::vector<base::Column *> &columns, const std::vector<std::int32_t> &of)
   {
-    std::vector<double>      all(told * columns.size() * of.size());
+    std::vector<double>      all(exchanged * columns.size() * of.size());
     std::vector<std::size_t> begin;
     for (const std::int32_t particle : particle_begin)
-      begin.push_back(static_cast<std::size_t>(std::lower_bound(of.begin(), of.end(), particle) - of.begin()) * told *
-                      columns.size() * sizeof(double));
+      begin.push_back(static_cast<std::size_t>(std::lower_bound(of.begin(), of.end(), particle) - of.begin()) *
+                      exchanged * columns.size() * sizeof(double));
     put_records(columns, of, all.data());
     gather(all.data(), begin);
     take_records(columns, of, all.data());

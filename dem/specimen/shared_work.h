@@ -45,7 +45,7 @@ namespace dem
 
     /** Links have been updated. */
     void links_updated();
-    /** Before links that broke are looked at: all learn which blocks have some, and what is in them. */
+    /** Before links that broke are handled: all learn which blocks have some, and what is in them. */
     void share_events(Particles &particles, LinkSet &bonds, LinkSet &contacts);
     void share_stress_moments(LinkSet &bonds, LinkSet &contacts);
     /** After particles have moved: their sums; places and motions where they are ghosts, or all read them. @param by_all ascending */
@@ -61,7 +61,7 @@ namespace dem
     double largest(double number) const;
     double least(const double number) const { return -largest(-number); }
 
-    // --- To look at all of it ---
+    // --- To read all of it ---
 
     void gather_places(Particles &particles); ///< and the motion of the last step
     /** Particles were put elsewhere, each by its own rank at least. */

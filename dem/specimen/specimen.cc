@@ -101,12 +101,12 @@ namespace dem
       self->clumps.take_velocities(self->particles, static_cast<std::size_t>(of));
   }
 
-  void Specimen::set_velocities(const std::vector<AskedVelocity> &asked)
+  void Specimen::set_velocities(const std::vector<PrescribedVelocity> &requested)
   {
     Particles                       &p = self->particles;
     std::set<std::size_t>            moved; // clumps
     std::vector<std::array<bool, 6>> given(p.count, {true, true, true, true, true, true});
-    for (const AskedVelocity &one : asked)
+    for (const PrescribedVelocity &one : requested)
       {
         const auto i = static_cast<std::size_t>(self->slot.at(one.particle));
         for (int c = 0; c < 6; ++c)

@@ -68,7 +68,7 @@ namespace dem
      * The same for many at once, each of them once. A clump takes the rigid motion that is nearest to the velocities given for its pebbles
      * (doc/theory/clumps.md, 1); pebbles without one are to rest.
      */
-    void set_velocities(const std::vector<AskedVelocity> &asked);
+    void set_velocities(const std::vector<PrescribedVelocity> &prescribed);
     /**
      * Deform the periodic cell, and the particles with it, at velocity gradient G [1/s] from the next step on.
      * @throws base::InputError without a periodic cell, or for a gradient that is not finite or leaves a plane specimen's plane

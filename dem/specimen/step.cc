@@ -13,7 +13,7 @@ namespace dem
 {
   namespace
   {
-    /** How often the state is looked at for NaN. */
+    /** How often the state is checked for NaN. */
     constexpr std::int64_t steps_between_checks = 100;
     /** Deleted links stay as idle lines until they are this part of all. */
     constexpr double idle_lines_allowed = 0.05;
@@ -218,7 +218,7 @@ namespace dem
       return;
     gather_places();
     const auto searches = search.searches();
-    const auto born     = search.look(particles, bonds, contacts);
+    const auto born     = search.find_contacts(particles, bonds, contacts);
     if (contact_law->waits() && search.searches() != searches)
       drop_distant_contacts();
     if (born.empty())

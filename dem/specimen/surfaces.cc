@@ -70,7 +70,7 @@ namespace dem
 
   void SpecimenCore::find_surface_forces()
   {
-    const bool glides = gliding.under_way && gliding.looked < gliding.glided;
+    const bool glides = gliding.under_way && gliding.seen < gliding.glided;
     if (glides) // forces that were found before have worked until here, and new ones from half of the way on
       gliding.pushes.add_work(surfaces, particles.motion);
     if (surfaces.near_facets().reads_all())
@@ -82,7 +82,7 @@ namespace dem
     log_torn_glue();
     if (glides)
       gliding.pushes.add_work(surfaces, particles.motion);
-    gliding.looked = gliding.glided;
+    gliding.seen = gliding.glided;
   }
 
   std::vector<std::int32_t> SpecimenCore::read_by_surfaces() const

@@ -81,22 +81,34 @@ namespace fem
     return density_by_id(solid, options).at(id);
   }
 
+  namespace
+  {
+    /// Calls visit(cell, i, dof) for every degree of freedom of this rank, the i-th of a cell; of several cells more than once.
+    template <int dim, typename Visit>
+    void visit_own_dofs(const fem::Solid<dim> &solid, const Vector &of, const Visit &visit)
+    {
+      std::vector<types::global_dof_index> indices(solid.dofs().get_fe().n_dofs_per_cell());
+      for (const auto &cell : solid.dofs().active_cell_iterators())
+        if (!cell->is_artificial())
+          {
+            cell->get_dof_indices(indices);
+            for (unsigned int i = 0; i < indices.size(); ++i)
+              if (of.in_local_range(indices[i]))
+                visit(cell, i, indices[i]);
+          }
+    }
+  } // namespace
+
   template <int dim>
   void ExplicitSolver<dim>::find_weight()
   {
     if (options.gravity == std::array<double, 3>{0, 0, 0})
       return;
-    weight                                  = solid.make_vector();
-    const auto                          &fe = solid.dofs().get_fe();
-    std::vector<types::global_dof_index> indices(fe.n_dofs_per_cell());
-    for (const auto &cell : solid.dofs().active_cell_iterators())
-      if (!cell->is_artificial())
-        {
-          cell->get_dof_indices(indices);
-          for (unsigned int i = 0; i < indices.size(); ++i)
-            if (weight.in_local_range(indices[i]))
-              weight[indices[i]] = lumped[indices[i]] * options.gravity[fe.system_to_component_index(i).first];
-        }
+    weight         = solid.make_vector();
+    const auto &fe = solid.dofs().get_fe();
+    visit_own_dofs(solid, weight, [&](const auto &, const unsigned int i, const types::global_dof_index dof) {
+      weight[dof] = lumped[dof] * options.gravity[fe.system_to_component_index(i).first];
+    });
   }
 
   template <int dim>
@@ -104,17 +116,11 @@ namespace fem
   {
     if (started)
       throw base::InputError("initial velocity: the motion has begun already.");
-    const auto                          &fe = solid.dofs().get_fe();
-    std::vector<types::global_dof_index> indices(fe.n_dofs_per_cell());
-    for (const auto &cell : solid.dofs().active_cell_iterators())
-      if (!cell->is_artificial())
-        {
-          cell->get_dof_indices(indices);
-          for (unsigned int i = 0; i < indices.size(); ++i)
-            if (v.in_local_range(indices[i]))
-              v[indices[i]] = velocity(solid.mapping().transform_unit_to_real_cell(cell, fe.unit_support_point(i)),
-                                       0.0)[fe.system_to_component_index(i).first];
-        }
+    const auto &fe = solid.dofs().get_fe();
+    visit_own_dofs(solid, v, [&](const auto &cell, const unsigned int i, const types::global_dof_index dof) {
+      v[dof] = velocity(solid.mapping().transform_unit_to_real_cell(cell, fe.unit_support_point(i)),
+                        0.0)[fe.system_to_component_index(i).first];
+    });
     solid.constraints().set_zero(v);
     account.start = 0;
     for (unsigned int i = 0; i < v.locally_owned_size(); ++i)

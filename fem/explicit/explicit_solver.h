@@ -71,7 +71,7 @@ namespace fem
    *
    * Mass lumped by scaling the diagonal of the consistent one (Hinton, Rock and Zienkiewicz 1976): positive for all elements.
    * Critical step 2 / omega with the largest eigenvalue of any element, which bounds that of the mesh (Irons and Treharne 1971). With large
-   * displacements it follows the deformation: an element is looked at again when lengths in it have changed.
+   * displacements it follows the deformation: an element is updated when lengths in it have changed.
    */
   template <int dim>
   class ExplicitSolver

@@ -38,14 +38,14 @@ namespace fem
       {
       }
 
-      /// What of an element counts at its points, which is looked at from now on; empty: all.
+      /// What of an element counts at its points, which is treated from now on; empty: all.
       std::vector<double> look_at(const Cell &cell)
       {
         values.reinit(cell);
         return shares_of(solid.options(), values);
       }
 
-      /// Of the element that is looked at. @param displacement of its degrees of freedom
+      /// Of the element that is treated. @param displacement of its degrees of freedom
       double operator()(const Cell                &cell,
                         const MaterialPoints      &material,
                         const std::vector<double> &shares,

@@ -247,7 +247,7 @@ namespace fem
                  " is inverted or flat (its Jacobian has not the same sign at every corner). Repair the mesh there.");
       }
 
-      /// Two nodes at one place look like one in every picture, but the elements around them do not hold together.
+      /// Two nodes at one place appear as one in every picture, but the elements around them do not hold together.
       void refuse_coincident_nodes() const
       {
         const std::array<double, 3> low     = box()[0];

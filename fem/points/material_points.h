@@ -45,7 +45,7 @@ namespace fem
                           bool                 with_tangent,
                           PointAnswer         &answer) = 0;
 
-    /// A solver looks for another step from the committed histories: nothing of an attempt before shall matter.
+    /// A solver seeks another step from the committed histories: nothing of an attempt before shall matter.
     virtual void begin_step() {}
 
     /// The last evaluation of every point becomes its history.

@@ -42,7 +42,7 @@ namespace fem
           e.stiffness[i] = static_cast<Number>(acting(i / 6, i % 6));
         if (dim == 2)
           e.stiffness[21] =
-            static_cast<Number>(d(3, 3)); // the one shear modulus that the kernel of isotropic ones looks at
+            static_cast<Number>(d(3, 3)); // the one shear modulus that the kernel of isotropic ones reads
         const double bulk = (d(0, 0) + 2 * d(0, 1)) / 3;
         e.isotropic       = (d - base::isotropic_stiffness(bulk, d(3, 3))).norm() <= 1e-14 * bulk;
         blocks.push_back(std::move(e));

@@ -41,10 +41,10 @@ namespace fem
     /// Strain at a point.
     base::Voigt strain(unsigned int point);
 
-    /// Adds the force of a stress at the point whose strain was asked last.
+    /// Adds the force of a stress at the point whose strain was evaluated last.
     void add_force(const base::Voigt &stress, Eigen::VectorXd &force) const;
 
-    /// Adds the stiffness at the point whose strain was asked last.
+    /// Adds the stiffness at the point whose strain was evaluated last.
     void add_stiffness(const base::Voigt &stress, const base::Stiffness &tangent, Eigen::MatrixXd &stiffness);
 
   private:

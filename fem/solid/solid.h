@@ -112,7 +112,7 @@ namespace fem
     /// The locally owned elements for the fast kernel, with positions in a make_vector(); made on first request.
     const std::vector<ElementBlocks> &blocks() const;
 
-    /// A solver looks for another step from the committed histories: nothing of an attempt before shall matter.
+    /// A solver seeks another step from the committed histories: nothing of an attempt before shall matter.
     void begin_step();
 
     /// The next sweep is at the end of a step in time of this length [s].

@@ -99,7 +99,7 @@ namespace fem
               cell->face(face)->get_dof_indices(indices);
               on_boundary.insert(indices.begin(), indices.end());
             }
-    // A node of an element may lie on a boundary face of its neighbour only: every element is looked at.
+    // A node of an element may lie on a boundary face of its neighbour only: every element is visited.
     visit_nodes([&](const auto &, unsigned int, const types::global_dof_index dof, const unsigned int component,
                     const auto &place) {
       if (component == p.component && on_boundary.count(dof) > 0)
@@ -244,7 +244,7 @@ namespace fem
     const std::string free = motion.free_motion(communicator());
     if (!free.empty())
       throw base::InputError("supports: the solid can move as a rigid body (mainly " + free +
-                             "). Prescribe more displacements, or ask for the rigid motion to be removed.");
+                             "). Prescribe more displacements, or have the rigid motion removed.");
   }
 
   template <int dim>

@@ -54,7 +54,7 @@ namespace fem
         }
     }
 
-    /// Asked of a matrix by deal.II's smoothers when they are given no diagonal; ours always are.
+    /// Read by deal.II's smoothers of a matrix when they are given no diagonal; ours always are.
     Number el(size_type, size_type) const
     {
       AssertThrow(false, dealii::ExcNotImplemented());

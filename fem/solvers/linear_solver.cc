@@ -130,7 +130,7 @@ namespace fem
     };
 
     /**
-     * What an elastic body without supports does not resist, which algebraic multigrid must be told to keep it on its coarse levels (Vaněk, Mandel and
+     * What an elastic body without supports does not resist, which algebraic multigrid needs to keep it on its coarse levels (Vaněk, Mandel and
      * Brezina, 1996, Computing 56, 179): translations and rotations, at the unknowns of this rank, one motion after the other.
      */
     struct RigidMotions
@@ -260,7 +260,7 @@ namespace fem
     const bool direct =
       options.method == LinearMethod::direct || (options.method == LinearMethod::automatic && unknowns <= limit);
     std::string why = options.method != LinearMethod::automatic ?
-                        "as asked" :
+                        "as requested" :
                         std::to_string(unknowns) + (direct ? " unknowns: not more than " : " unknowns: more than ") +
                           std::to_string(limit);
     if (direct)

@@ -57,8 +57,8 @@ namespace fem
     const double size    = r.l2_norm();
     const double rounded = std::numeric_limits<double>::epsilon() * tangent_size * trial.u.l2_norm();
     report.residual      = size / now;
-    if (options.told && report.iterations > 0) // before, what the supports will bring is not in it
-      options.told(report.iterations, report.residual / options.tolerance);
+    if (options.on_iteration && report.iterations > 0) // before, what the supports will bring is not in it
+      options.on_iteration(report.iterations, report.residual / options.tolerance);
     if (!std::isfinite(size))
       throw MaterialFailure("the unbalanced force is not a number.");
     if (size <= options.tolerance * now)

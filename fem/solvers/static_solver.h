@@ -15,7 +15,7 @@ namespace fem
     bool         line_search = true;
 
     /// Called for every state of the iteration: its number, and the unbalanced force over the tolerance. Empty: not called.
-    std::function<void(unsigned int iteration, double over_tolerance)> told = {};
+    std::function<void(unsigned int iteration, double over_tolerance)> on_iteration = {};
   };
 
   /// How the load parameter is found when it is not prescribed.

@@ -9,7 +9,7 @@
 namespace postprocess
 {
   /**
-   * A page for a browser that is one file: pictures stand in its text, and it asks nothing of any other place. What it can be run from
+   * A page for a browser that is one file: pictures stand in its text, and nothing is loaded from elsewhere. What it can be run from
    * again stands in it too; read_page_contents() takes that out.
    */
   class HtmlPage

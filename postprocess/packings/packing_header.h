@@ -43,6 +43,6 @@ namespace postprocess
   /** Names may stand within a sentence: "two dimensions: x y z radius [m]". */
   CommentedNames names_in_comment(std::string_view comment, std::size_t columns);
 
-  /** Whether a comment right above the rows looks like a header: one word for each column, none of a sentence. */
+  /** Whether a comment right above the rows is like a header: one word for each column, none of a sentence. */
   bool looks_like_names(std::string_view comment, std::size_t columns);
 } // namespace postprocess

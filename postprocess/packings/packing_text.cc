@@ -32,13 +32,13 @@ namespace postprocess
     class PackingParser
     {
     public:
-      /** @param text must outlive the parser @param asked unit that the reader expects; empty: as the file says */
+      /** @param text must outlive the parser @param requested unit that the reader expects; empty: as the file says */
       PackingParser(const std::string                     &origin_,
                     const std::string_view                 text,
-                    const std::optional<base::LengthUnit> &asked_)
+                    const std::optional<base::LengthUnit> &requested_)
         : origin(origin_)
         , lines(text)
-        , asked(asked_)
+        , requested(requested_)
       {
       }
 
@@ -143,7 +143,7 @@ namespace postprocess
         return static_cast<std::int32_t>(value);
       }
 
-      /** The line "# materials" is only looked at where there is a column to name: elsewhere it may be prose. */
+      /** The line "# materials" is only read where there is a column to name: elsewhere it may be prose. */
       void number_materials()
       {
         for (const std::string &name : announced)
@@ -248,13 +248,13 @@ namespace postprocess
             stated.read(comment.text, comment.number, comment.number == header_in);
         const bool columns_say =
           std::all_of(layout.unit.begin(), layout.unit.end(), [](const auto &unit) { return unit.has_value(); });
-        if (!asked && !columns_say)
+        if (!requested && !columns_say)
           stated.require_no_doubt();
-        if (asked && stated.unit() && *asked != *stated.unit())
+        if (requested && stated.unit() && *requested != *stated.unit())
           refuse(origin, stated.line(),
                  std::string("says that lengths are in ") + stated.unit()->symbol +
-                   ", and Length unit that they are in " + asked->symbol + ". Leave it out, or correct the file.");
-        return stated.unit() ? stated.unit() : asked;
+                   ", and Length unit that they are in " + requested->symbol + ". Leave it out, or correct the file.");
+        return stated.unit() ? stated.unit() : requested;
       }
 
       base::LengthUnit unit_of(const std::size_t quantity, const std::optional<base::LengthUnit> &of_file) const
@@ -293,7 +293,7 @@ namespace postprocess
 
       std::string                         origin;
       Lines                               lines;
-      std::optional<base::LengthUnit>     asked, cell_unit;
+      std::optional<base::LengthUnit>     requested, cell_unit;
       PackingColumns                      layout;
       std::vector<std::string_view>       fields;
       std::vector<CommentLine>            comments;

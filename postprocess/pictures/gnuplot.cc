@@ -26,8 +26,8 @@ namespace postprocess
 
     std::function<bool()> &drawing_is_to_stop()
     {
-      static std::function<bool()> asked = [] { return false; };
-      return asked;
+      static std::function<bool()> requested = [] { return false; };
+      return requested;
     }
 
     /** Wait for the end of a child, unless drawing is to stop: then end it. @return its status, as waitpid gives it */
@@ -85,7 +85,7 @@ namespace postprocess
     }
   } // namespace
 
-  void stop_drawing_if(std::function<bool()> asked) { drawing_is_to_stop() = std::move(asked); }
+  void stop_drawing_if(std::function<bool()> requested) { drawing_is_to_stop() = std::move(requested); }
 
   void draw_with_gnuplot(const fs::path &destination, const GnuplotJob &job)
   {

@@ -22,7 +22,7 @@ namespace postprocess
   void draw_with_gnuplot(const std::filesystem::path &destination, const GnuplotJob &job);
 
   /** From now on a picture is given up as soon as this says so: it is called every few milliseconds while gnuplot draws. */
-  void stop_drawing_if(std::function<bool()> asked);
+  void stop_drawing_if(std::function<bool()> requested);
 
   /** A text as gnuplot reads it back literally: between single quotes. */
   std::string gnuplot_quoted(const std::string &text);

@@ -21,7 +21,7 @@ namespace postprocess
   /** Three digits and the unit that suits them: "23 µm". */
   std::string length_text(double metres);
 
-  /** Distance of ticks, 1, 2 or 5 times a power of ten: labels of the range then have the room asked for. @param most at most so many ticks */
+  /** Distance of ticks, 1, 2 or 5 times a power of ten: labels of the range then have the requested room. @param most at most so many ticks */
   double tick_step(double range, double most);
 
   /** A round number to magnify displacements by, not above the wished one; at least 1. */

@@ -57,6 +57,6 @@ namespace postprocess
     bool                mark_peak = true; ///< and its place in the legend
   };
 
-  /** A panel of stress [MPa] over strain [1e-3] with the peak of each curve marked that asks for it. */
+  /** A panel of stress [MPa] over strain [1e-3] with the peak of each curve marked that requests it. */
   PlotPanel stress_strain_panel(const std::string &title, const std::vector<StressStrainCurve> &curves);
 } // namespace postprocess

@@ -138,7 +138,7 @@ class Result:
 
     @property
     def folder(self):
-        """Of its files; "" where none were asked for."""
+        """Of its files; "" where none were requested."""
         return self._found.folder
 
     @property

@@ -54,7 +54,7 @@ class Cell:
         self._cell.commit()
 
     def begin_step(self):
-        """Another step is looked for: no answer since the committed state shall matter for the next, not even in the last digits."""
+        """Another step is sought: no answer since the committed state shall matter for the next, not even in the last digits."""
         self._cell.begin_step()
 
     def copy(self):

@@ -22,7 +22,7 @@ def couple(interface, body, mesh, carriers, reads, writes, on_window=None):
     are, {"Force": "force"}, {"Displacement": "displacement", "Velocity": "velocity"}.
 
     Either "force" is read, which pushes the carriers during the whole time window (a conservative map keeps its sum), and motion is written; or
-    "displacement" or "velocity" (consistent maps), to which the carriers are led evenly, and "force" is written: that of the body on what leads
+    "displacement" or "velocity" (consistent maps), to which the carriers are driven evenly, and "force" is written: that of the body on what drives
     it. Displacements count from the start of the coupling [m], velocities are half a step back [m/s]. A window has as many own steps of
     the body as its stability needs. Where the coupling is implicit, the body's state is saved and set back. on_window: called with the body at
     the end of each window that stands. Raises InputError for other data, and NumericalError.
@@ -56,18 +56,18 @@ def _side_of(body, mesh, carriers, reads, writes):
     if not carriers:
         raise InputError(f"{mesh}: has no carriers.")
     if read == {"force"} and written <= set(MOTION):
-        led = False
+        driven = False
     elif len(read) == 1 and read <= set(MOTION) and written <= {"force"}:
-        led = True
+        driven = True
     else:
         raise InputError(
             f'{mesh}: reads {_words(read)} and writes {_words(written)}. Read "force" and write "displacement" or "velocity", or read one of '
             'these and write "force".'
         )
     if isinstance(body, Solid):
-        return _SolidSide(body, carriers, led)
+        return _SolidSide(body, carriers, driven)
     if isinstance(body, Particles):
-        return _ParticleSide(body, carriers, led)
+        return _ParticleSide(body, carriers, driven)
     raise InputError(f"{mesh}: expected a Solid or Particles, found {type(body).__name__}.")
 
 
@@ -81,12 +81,12 @@ def _write(interface, side, mesh, ids, writes, dimensions):
 
 
 class _Side:
-    """What is the same of both: carriers that are pushed, or led one by one."""
+    """What is the same of both: carriers that are pushed, or driven one by one."""
 
-    def __init__(self, body, carriers, led):
+    def __init__(self, body, carriers, driven):
         self.body, self.carriers = body, carriers
         self.places = self.positions()
-        self.groups = [self.hold(carrier) for carrier in carriers] if led else []
+        self.groups = [self.hold(carrier) for carrier in carriers] if driven else []
 
     def shows(self, quantity):
         if quantity == "displacement":

@@ -21,9 +21,9 @@ namespace
   {
     words.insert(words.begin(), "analyse");
     words.insert(words.end(), {"-o", "out"});
-    const Outcome told = run(folder.path(), words);
-    INFO(told.err);
-    REQUIRE(told.status == 0);
+    const Outcome outcome = run(folder.path(), words);
+    INFO(outcome.err);
+    REQUIRE(outcome.status == 0);
     return nlohmann::json::parse(content_of(folder / "out/analysis.json"));
   }
 } // namespace
@@ -158,13 +158,13 @@ TEST_CASE("breccia analyse refuses what a table does not carry, in one message",
           "runs.csv: there is no column z. Columns: run, A, B, A_mm, y."},
          {{"runs.csv", "--response", "y", "--factors", "A,A"}, "the column A is given twice"},
          {{"runs.csv", "--response", "y", "--factors", "A,B"}, "fewer runs than terms: 4 runs for 6 terms"},
-         {{"runs.csv", "--response", "y", "--factors", "A,B", "--model", "linear"}, "do not tell these terms apart"},
+         {{"runs.csv", "--response", "y", "--factors", "A,B", "--model", "linear"}, "do not distinguish these terms"},
          {{"runs.csv", "--response", "y", "--factors", "A", "--null", "B", "--model", "anova"},
           "--null B: is none of the factors"},
          {{"runs.csv", "--response", "y", "--factors", "A", "--model", "cubic"}, "--model: cubic not in"}}));
   std::vector<std::string> all = words;
   all.insert(all.begin(), "analyse");
-  const Outcome told = run(folder.path(), all);
-  CHECK(told.status == 2);
-  CHECK_THAT(told.err, Contains(said));
+  const Outcome outcome = run(folder.path(), all);
+  CHECK(outcome.status == 2);
+  CHECK_THAT(outcome.err, Contains(said));
 }

@@ -173,7 +173,7 @@ namespace
 
 namespace
 {
-  /** Momenta of every row, to rounding; energies that no account tells of, below a bound. */
+  /** Momenta of every row, to rounding; energies that no account contains, below a bound. */
   void check_conservation(const std::filesystem::path &file, const std::size_t rows)
   {
     auto found = table(file);

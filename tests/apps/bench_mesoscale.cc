@@ -34,7 +34,7 @@ TEST_CASE("the six concrete mixes have the published volumes, numbers and larges
       CHECK(mix.name == wanted.name);
       const apps::MixSection section = mix.section({});
       CHECK(section.all_aggregates() == Approx(wanted.aggregates).margin(6e-6));
-      CHECK(section.asked_content() == Approx(wanted.coarse).margin(6e-6));
+      CHECK(section.prescribed_content() == Approx(wanted.coarse).margin(6e-6));
       const dem::AggregateSizes sizes = section.sizes_in(Eigen::Vector3d::Constant(0.05));
       CHECK(static_cast<double>(sizes.diameters.size()) == Approx(static_cast<double>(wanted.number)).epsilon(0.02));
       CHECK(sizes.diameters.front() == Approx(wanted.largest).epsilon(0.01));
@@ -48,12 +48,12 @@ TEST_CASE("bench mesoscale has a row per mix and geometry, ratios beside the pub
   const ScratchFolder folder;
   const std::string   scenes = places::sources() + "/apps/scenes/";
   // Particles that are too coarse for a good answer, which takes minutes.
-  const Outcome told =
+  const Outcome outcome =
     run(folder.path(), {"bench", "mesoscale", scenes + "mesoscale_cube.prm", "--geometries", "2", "--mixes", "l-19",
                         "--ductility", "0.1", "-s", "Specimen/Generator/Particle radius=0.0022", "-s",
                         "Loading/Grip thickness=0.0045", "-o", "bench"});
-  INFO(told.err);
-  REQUIRE(told.status == 0);
+  INFO(outcome.err);
+  REQUIRE(outcome.status == 0);
   CHECK_THAT(content_of(folder / "bench/mesoscale.csv"),
              Contains("\nl-9.5,0.1,1,254,") && Contains("\nl-9.5,0.1,2,254,") && Contains("\nl-19,0.1,1,134,") &&
                Contains("\nl-19,0.1,2,134,") && !Contains("\nh-"));

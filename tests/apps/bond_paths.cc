@@ -227,14 +227,14 @@ TEST_CASE("link-test answers the same when the particles change places or the pa
   for (const std::string law : {"contact-bond", "parallel-bond", "flat-joint"})
     {
       INFO(law);
-      const bool  bends  = law != "contact-bond";
-      const auto &driven = bends ? path : sheared;
-      Words       told   = {"normal_force", "shear_force_1", "broken"};
+      const bool  bends      = law != "contact-bond";
+      const auto &driven     = bends ? path : sheared;
+      Words       quantities = {"normal_force", "shear_force_1", "broken"};
       if (bends)
-        told.emplace_back("bending_moment_1");
+        quantities.emplace_back("bending_moment_1");
       const auto one = mortar(law, driven, plane, "1e-3", "1.7e-3");
       CHECK(largest(one.column("broken")) > 0);
-      same(one, mortar(law, driven, plane, "1.7e-3", "1e-3"), told);
+      same(one, mortar(law, driven, plane, "1.7e-3", "1e-3"), quantities);
 
       auto       in_space = mortar(law, sheared);
       const auto other    = mortar(law, turned);

@@ -25,9 +25,9 @@ TEST_CASE("breccia calibrate recovers known constants within their error bars an
   target << "  subsection pull\n    set Curve = measured.csv\n    set Test = tension\n    set Standard deviation = "
          << deviation << "\n  end\n";
   write_calibration(folder, calibration_of_stack(target.str()));
-  const Outcome told = calibrate(folder, {"-o", "out"});
-  INFO(told.err << told.out);
-  REQUIRE(told.status == 0);
+  const Outcome outcome = calibrate(folder, {"-o", "out"});
+  INFO(outcome.err << outcome.out);
+  REQUIRE(outcome.status == 0);
   const auto found     = nlohmann::json::parse(content_of(folder / "out/calibration.json"));
   const auto constants = found["constants"];
   for (const auto &[name, truth] : {std::pair("modulus", 27e9), std::pair("limit", 0.8e-4)})
@@ -42,7 +42,7 @@ TEST_CASE("breccia calibrate recovers known constants within their error bars an
   CHECK(constants["unseen"]["determined"] == false);
   CHECK(constants["unseen"]["value"].get<double>() == 15);
   CHECK(constants["unseen"]["standard_error"].is_null());
-  CHECK_THAT(told.out, Contains("do not determine unseen: it is held at its start, 15"));
+  CHECK_THAT(outcome.out, Contains("do not determine unseen: it is held at its start, 15"));
   CHECK(found["evaluations"].get<int>() <= 40);
   CHECK_THAT(content_of(folder / "out/pull.csv"), Catch::StartsWith("strain,measured,predicted,half_width_95\n"));
 
@@ -119,9 +119,9 @@ subsection Targets
     }
   text << "end\n";
   folder.file("calibration.prm", text.str());
-  const Outcome told = calibrate(folder, {"-o", "out"});
-  INFO(told.err << told.out);
-  REQUIRE(told.status == 0);
+  const Outcome outcome = calibrate(folder, {"-o", "out"});
+  INFO(outcome.err << outcome.out);
+  REQUIRE(outcome.status == 0);
   const auto constants = nlohmann::json::parse(content_of(folder / "out/calibration.json"))["constants"];
   for (const auto &[name, truth] : {std::pair("modulus", 40e9), std::pair("tensile", 6e6), std::pair("cohesion", 12e6)})
     {
@@ -138,14 +138,14 @@ TEST_CASE("a constant whose band fills its bounds is not called determined, and 
   const ScratchFolder folder;
   // A modulus of 33 GPa known to 100 %: the band of the constant reaches beyond both bounds.
   write_calibration(folder, two_constants(stack_figures("33e9", "33e9")));
-  const Outcome told = calibrate(folder, {"-o", "out"});
-  INFO(told.err << told.out);
-  REQUIRE(told.status == 0);
+  const Outcome outcome = calibrate(folder, {"-o", "out"});
+  INFO(outcome.err << outcome.out);
+  REQUIRE(outcome.status == 0);
   const auto constants = nlohmann::json::parse(content_of(folder / "out/calibration.json"))["constants"];
   CHECK(constants["modulus"]["determined"] == false);
   CHECK(constants["modulus"]["value"].get<double>() == 22e9);
   CHECK(constants["limit"]["determined"] == true);
-  CHECK_THAT(told.out, Contains("do not determine modulus: it is held at its start"));
+  CHECK_THAT(outcome.out, Contains("do not determine modulus: it is held at its start"));
 }
 
 TEST_CASE("a posterior by an emulator has bands of constants and of the curve, and the report shows them",
@@ -160,9 +160,9 @@ TEST_CASE("a posterior by an emulator has bands of constants and of the curve, a
   write_calibration(folder,
                     replaced(calibration_of_stack(target.str()), "subsection Targets",
                              "subsection Posterior\n  set Runs = 30\n  set Draws = 500\nend\nsubsection Targets"));
-  const Outcome told = calibrate(folder, {"-o", "out"});
-  INFO(told.err << told.out);
-  REQUIRE(told.status == 0);
+  const Outcome outcome = calibrate(folder, {"-o", "out"});
+  INFO(outcome.err << outcome.out);
+  REQUIRE(outcome.status == 0);
   const auto found = nlohmann::json::parse(content_of(folder / "out/calibration.json"));
   for (const auto &[name, truth] : {std::pair("modulus", 27e9), std::pair("limit", 0.8e-4)})
     {
@@ -198,9 +198,9 @@ TEST_CASE("a cheap model first leaves the costly one few runs, and gives the sam
                                "subsection Cheap model\n  set Changes = " + changes + "\nend\nsubsection Constants"));
   };
   with_cheap("Loading/Tension/Strain rate=8; Output/Samples=20");
-  const Outcome told = calibrate(folder, {"-o", "after"});
-  INFO(told.err << told.out);
-  REQUIRE(told.status == 0);
+  const Outcome outcome = calibrate(folder, {"-o", "after"});
+  INFO(outcome.err << outcome.out);
+  REQUIRE(outcome.status == 0);
   const auto alone = nlohmann::json::parse(content_of(folder / "alone/calibration.json")),
              after = nlohmann::json::parse(content_of(folder / "after/calibration.json"));
   CHECK(after["cheap_evaluations"].get<int>() > 0);
@@ -245,9 +245,9 @@ subsection Targets
     set Value  = 60e9
     set Weight = )" + weight + "\n  end\nend\n");
   folder.file("other.prm", content_of(folder / "stack.prm"));
-  const Outcome told = calibrate(folder, {"-o", "out"});
-  INFO(told.err << told.out);
-  REQUIRE(told.status == 0);
+  const Outcome outcome = calibrate(folder, {"-o", "out"});
+  INFO(outcome.err << outcome.out);
+  REQUIRE(outcome.status == 0);
   const auto targets = nlohmann::json::parse(content_of(folder / "out/calibration.json"))["targets"];
   CHECK(targets["E"]["predicted"].get<double>() == Approx(modulus).epsilon(5e-3)); // sum of w (E/E* - 1)^2
   CHECK(targets["other_E"]["predicted"] == targets["E"]["predicted"]);
@@ -265,9 +265,9 @@ TEST_CASE("replicates: the mean of the packings is compared, the same ones for e
                        "set Source            = file\n  set File              = packing.txt",
                        "set Source = generator\n  set Box size = 0.012, 0.012, 0.02\n  subsection Generator\n"
                        "    set Particle radius = 1e-3\n  end"));
-  const Outcome told = calibrate(folder, {"-o", "out"});
-  INFO(told.err << told.out);
-  REQUIRE(told.status == 0);
+  const Outcome outcome = calibrate(folder, {"-o", "out"});
+  INFO(outcome.err << outcome.out);
+  REQUIRE(outcome.status == 0);
   const auto found     = nlohmann::json::parse(content_of(folder / "out/calibration.json"));
   const auto value_of  = [&found](const std::string &name) { return found["constants"][name]["value"].get<double>(); };
   const auto number_in = [](const std::string &change) { return std::stod(change.substr(change.find('=') + 1)); };
@@ -308,9 +308,9 @@ TEST_CASE("what a reference scene gives is what is measured, and the constants a
   const std::string scene = content_of(folder / "stack.prm");
   folder.file("stiff.prm", replaced(scene, "= 25e9", "= 54e9")); // of which the runs give half
   folder.file("truth.prm", replaced(replaced(scene, "= 25e9", "= 27e9"), "= 1e-4", "= 0.8e-4"));
-  const Outcome told = calibrate(folder, {"-o", "out"});
-  INFO(told.err << told.out);
-  REQUIRE(told.status == 0);
+  const Outcome outcome = calibrate(folder, {"-o", "out"});
+  INFO(outcome.err << outcome.out);
+  REQUIRE(outcome.status == 0);
   const auto constants = nlohmann::json::parse(content_of(folder / "out/calibration.json"))["constants"];
   CHECK(constants["modulus"]["value"].get<double>() == Approx(27e9).epsilon(0.02));
   CHECK(constants["limit"]["value"].get<double>() == Approx(0.8e-4).epsilon(0.02));
@@ -328,9 +328,9 @@ TEST_CASE("with as many figures as constants a search ends where the rest is les
   if (!known)
     text = replaced(replaced(text, "set Standard deviation = 0.5e9", ""), "set Standard deviation = 1e5", "");
   write_calibration(folder, text);
-  const Outcome told = calibrate(folder, {"-o", "out"});
-  INFO(told.err << told.out);
-  REQUIRE(told.status == 0);
+  const Outcome outcome = calibrate(folder, {"-o", "out"});
+  INFO(outcome.err << outcome.out);
+  REQUIRE(outcome.status == 0);
   const auto found = nlohmann::json::parse(content_of(folder / "out/calibration.json"));
   CHECK(found["evaluations"].get<int>() < 40); // of at most 200
   const auto &targets = found["targets"];

@@ -39,10 +39,10 @@ TEST_CASE("breccia calibrate refuses what it cannot seek before its first run, i
      {"subsection Constants", "subsection Replicates\n set Seeds = 1\nend\nsubsection Constants",
       "wanted with Entry"}}));
   write_calibration(folder, replaced(calibration_of_stack(two_figures()), from, to));
-  const Outcome told = run(folder.path(), {"calibrate", "calibration.prm", "-o", "out"});
-  INFO(from << told.err);
-  CHECK(told.status == 2);
-  CHECK_THAT(told.err, Contains(said));
+  const Outcome outcome = run(folder.path(), {"calibrate", "calibration.prm", "-o", "out"});
+  INFO(from << outcome.err);
+  CHECK(outcome.status == 2);
+  CHECK_THAT(outcome.err, Contains(said));
   CHECK_FALSE(std::filesystem::exists(folder / "out/runs"));
 }
 
@@ -84,11 +84,11 @@ TEST_CASE("check of a calibration says what it takes at most, and describe knows
 {
   const ScratchFolder folder;
   write_calibration(folder, calibration_of_stack(two_figures()));
-  const Outcome told = run(folder.path(), {"check", "calibration.prm"});
-  INFO(told.err);
-  CHECK(told.status == 0);
-  CHECK_THAT(told.out, Contains("3 constants, 2 targets; 1 runs for each set of constants, at most 200 sets") &&
-                         Contains("particles") && Contains("altogether   roughly"));
+  const Outcome outcome = run(folder.path(), {"check", "calibration.prm"});
+  INFO(outcome.err);
+  CHECK(outcome.status == 0);
+  CHECK_THAT(outcome.out, Contains("3 constants, 2 targets; 1 runs for each set of constants, at most 200 sets") &&
+                            Contains("particles") && Contains("altogether   roughly"));
   CHECK_THAT(run(folder.path(), {"describe", "Cheap model", "--kind", "calibration"}).out, Contains("Changes"));
   CHECK_THAT(run(folder.path(), {"describe", "Axial distance"}).out, Contains("Scenes of kind study"));
 }
@@ -102,13 +102,13 @@ TEST_CASE("a target that no run has is refused before the first run by name, wit
       "target E: series.csv has no column stretch"}}));
   write_calibration(folder, replaced(calibration_of_stack(two_figures()), from, to));
   folder.file("measured.csv", "strain,stretch\n1e-5,1e5\n2e-5,2e5\n");
-  const Outcome told = run(folder.path(), {"calibrate", "calibration.prm", "-o", "out"}); // starts no other process
-  CHECK(told.status == 2);
-  CHECK_THAT(told.err, Contains(said) && (Contains("tensile_strength") || Contains("mean_damage")));
+  const Outcome outcome = run(folder.path(), {"calibrate", "calibration.prm", "-o", "out"}); // starts no other process
+  CHECK(outcome.status == 2);
+  CHECK_THAT(outcome.err, Contains(said) && (Contains("tensile_strength") || Contains("mean_damage")));
   CHECK_FALSE(std::filesystem::exists(folder / "out/runs"));
 }
 
-TEST_CASE("a curve that ends at its peak is told from one that goes on", "[apps]")
+TEST_CASE("a curve that ends at its peak is distinguished from one that goes on", "[apps]")
 {
   CHECK(apps::ends_at_its_peak(Eigen::Vector3d(1, 2, 3)));
   CHECK(apps::ends_at_its_peak(Eigen::Vector3d(-1, -2, -3))); // compression is negative

@@ -18,9 +18,9 @@ TEST_CASE("Help and version are answered with status 0", "[apps]")
     CHECK_THAT(help.out, Contains(command));
   for (const char *command : {"run", "describe"})
     {
-      const Outcome asked = run(folder.path(), {"help", command});
-      CHECK(asked.status == 0);
-      CHECK(asked.out == run(folder.path(), {command, "--help"}).out);
+      const Outcome requested = run(folder.path(), {"help", command});
+      CHECK(requested.status == 0);
+      CHECK(requested.out == run(folder.path(), {command, "--help"}).out);
     }
   CHECK(run(folder.path(), {"help"}).out == help.out);
   const Outcome version = run(folder.path(), {"--version"});

@@ -71,7 +71,7 @@ TEST_CASE("A continuum run writes summary, series, curve, snapshots and the comp
   CHECK(energy("balance_error") < 2e-3); // of steps of 1e-6 m
   CHECK(summary["energy"]["external"].get<double>() > 0);
   CHECK(summary["scene"] == "x.prm");
-  CHECK(summary["asked"]["overrides"][0] == "Control/End=2e-5");
+  CHECK(summary["requested"]["overrides"][0] == "Control/End=2e-5");
   CHECK_THAT(summary["version"].get<std::string>(), Catch::StartsWith("0."));
 
   const postprocess::CsvTable series = postprocess::read_csv_table(folder / "results/series.csv");
@@ -218,7 +218,7 @@ TEST_CASE("The linear solver is the requested one, is reported, and gives the sa
   folder.file("two.msh", two_squares_mesh());
   folder.file("x.prm", two_squares_scene());
   const std::pair<const char *, const char *> methods[] = {
-    {"direct", "UMFPACK, as asked"}, {"iterative", "conjugate gradients with algebraic multigrid, as asked"}};
+    {"direct", "UMFPACK, as requested"}, {"iterative", "conjugate gradients with algebraic multigrid, as requested"}};
   for (const auto &[method, said] : methods)
     {
       REQUIRE(run(folder.path(), {"run", "x.prm", "-o", method, "-s", std::string("Control/Linear solver=") + method})

@@ -119,6 +119,40 @@ end
 )";
   }
 
+  std::string pulled_box(const std::string &box, const std::string &solid, const std::string &displacement)
+  {
+    return R"(set Kind = continuum
+subsection Model
+  set Dimension = 3
+end
+subsection Mesh
+  set Source = box
+  subsection Box
+)" + box + R"(  end
+end
+subsection Materials
+  subsection solid
+)" + solid +
+           R"(  end
+end
+subsection Boundary conditions
+  subsection left
+    set Displacement x = 0
+    set Displacement y = 0
+    set Displacement z = 0
+  end
+  subsection right
+    set Displacement x = )" +
+           displacement +
+           R"(
+  end
+end
+subsection Control
+  set End = 1
+end
+)";
+  }
+
   std::string two_squares_scene()
   {
     return R"(set Kind = continuum

@@ -10,6 +10,12 @@ namespace apps_tests
   /** A short elastic bar that hits a wall: explicit, in about a second. */
   std::string impact_scene();
 
+  /**
+   * A box in space, held at one end and pulled along x at the other.
+   * @param box entries of Mesh/Box @param solid entries of Materials/solid @param displacement formula [m]
+   */
+  std::string pulled_box(const std::string &box, const std::string &solid, const std::string &displacement);
+
   /** A plane scene on the mesh "two.msh": held at its boundary "left", pulled at "right". */
   std::string two_squares_scene();
 

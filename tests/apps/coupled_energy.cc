@@ -19,8 +19,8 @@ TEST_CASE("A coupled run reports which side is sub-cycled, and the energy that t
 {
   const ScratchFolder folder;
   folder.file("x.prm", collision);
-  const Outcome told = outcome_of(folder, "check", "x.prm", solid_sub_cycled);
-  CHECK_THAT(told.out, Contains("3 steps of the solid, 1 of the particles"));
+  const Outcome checked = outcome_of(folder, "check", "x.prm", solid_sub_cycled);
+  CHECK_THAT(checked.out, Contains("3 steps of the solid, 1 of the particles"));
   const Results found  = results_of(folder, "x.prm", solid_sub_cycled);
   const auto   &series = found.series;
   const double energy = series.column("energy_particles_initial").back(), made = series.column("block_spurious").back();
@@ -124,11 +124,11 @@ TEST_CASE("Sub-cycling is forecast, held to the energy that it may lose, and rep
     {
       std::vector<std::string> freely = steps;
       freely.insert(freely.end(), {"Time/Sub-cycling loss=1", "Couplings/block/Energy limit=1"});
-      const Outcome told = outcome_of(folder, "check", "x.prm", freely);
-      const auto    at   = told.out.find("would lose about ");
-      INFO(told.out);
+      const Outcome checked = outcome_of(folder, "check", "x.prm", freely);
+      const auto    at      = checked.out.find("would lose about ");
+      INFO(checked.out);
       REQUIRE(at != std::string::npos);
-      const double forecast = std::stod(told.out.substr(at + std::string("would lose about ").size())),
+      const double forecast = std::stod(checked.out.substr(at + std::string("would lose about ").size())),
                    lost     = -results_of(folder, "x.prm", freely).series.column("block_spurious").back() / approach;
       CHECK(forecast == Approx(lost).epsilon(0.7)); // part of the ball's way is along the face
       std::vector<std::string> held = steps;

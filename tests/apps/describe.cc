@@ -139,7 +139,7 @@ TEST_CASE("describe finds entries and sections by name wherever they are, and sa
              Contains("there is no section or entry \"Cohesin\"") && Contains("Did you mean \"Cohesion\"?"));
 }
 
-TEST_CASE("describe looks for a word that is no name in names, values and texts, the best first", "[apps]")
+TEST_CASE("describe seeks a word that is no name in names, values and texts, the best first", "[apps]")
 {
   const ScratchFolder folder;
   const Outcome       triaxial = run(folder.path(), {"describe", "triaxial"});
@@ -147,9 +147,9 @@ TEST_CASE("describe looks for a word that is no name in names, values and texts,
   CHECK_THAT(triaxial.out, Contains("set Test =") && Contains("triaxial compression"));
   const Outcome ratio = run(folder.path(), {"describe", "ratio", "--kind", "uniaxial"});
   REQUIRE(ratio.status == 0);
-  const auto named = ratio.out.find("set Interaction ratio"), told = ratio.out.find("set Rotations");
+  const auto named = ratio.out.find("set Interaction ratio"), indirect = ratio.out.find("set Rotations");
   CHECK(named != std::string::npos);
-  CHECK((told == std::string::npos || named < told));
+  CHECK((indirect == std::string::npos || named < indirect));
 }
 
 TEST_CASE("describe says in a sentence what does not exist, and does not guess", "[apps]")

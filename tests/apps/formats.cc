@@ -203,7 +203,7 @@ TEST_CASE("A run lists the files that it left, and no picture that could not be 
                           Contains("tension_crack.png") && Contains("tension_particles.pvd"));
 
   const std::string path = ::getenv("PATH");
-  ::setenv("PATH", folder.path().c_str(), 1); // where there is no gnuplot, nor the ssh that MPI looks for
+  ::setenv("PATH", folder.path().c_str(), 1); // where there is no gnuplot, nor the ssh that MPI searches for
   const Outcome bare  = run(folder.path(), {"run", "x.prm", "-o", "bare"}),
                 again = run(folder.path(), {"run", "x.prm", "-o", "drawn"}),
                 solid = run(folder.path(), {"run", "bar.prm", "-o", "bar"});

@@ -168,9 +168,9 @@ subsection Targets
     set Standard deviation = )"
        << deviation << "\n  end\nend\n";
   folder.file("calibration.prm", text.str());
-  const Outcome told = calibrate(folder, {"-o", "out"});
-  INFO(told.err << told.out);
-  REQUIRE(told.status == 0);
+  const Outcome outcome = calibrate(folder, {"-o", "out"});
+  INFO(outcome.err << outcome.out);
+  REQUIRE(outcome.status == 0);
   const auto constants = nlohmann::json::parse(content_of(folder / "out/calibration.json"))["constants"];
   for (const auto &[name, truth] : {std::pair("length", 0.014), std::pair("size", 0.012)})
     {

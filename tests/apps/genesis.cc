@@ -145,12 +145,13 @@ TEST_CASE("Published values of a test are reported beside its own, which do not 
   folder.file("mortar.prm", mortar);
   const Results alone = results_of(folder, "mortar.prm", press);
   CHECK_FALSE(alone.summary["figures"]["laboratory"].contains("published"));
-  const std::string curve = content_of(folder / "results/stress_strain.csv");
-  auto              told  = press;
-  told.insert(told.end(), {"Laboratory/Published strength=2.75e6", "Laboratory/Published modulus=7.994e9",
-                           "Laboratory/Published Poisson ratio=0.2"});
+  const std::string curve          = content_of(folder / "results/stress_strain.csv");
+  auto              with_published = press;
+  with_published.insert(with_published.end(),
+                        {"Laboratory/Published strength=2.75e6", "Laboratory/Published modulus=7.994e9",
+                         "Laboratory/Published Poisson ratio=0.2"});
   std::filesystem::remove_all(folder / "results");
-  const Results beside = results_of(folder, "mortar.prm", told);
+  const Results beside = results_of(folder, "mortar.prm", with_published);
   CHECK(content_of(folder / "results/stress_strain.csv") == curve);
   const auto &found = beside.summary["figures"]["laboratory"];
   for (const auto &[published, here, value] :
@@ -260,10 +261,10 @@ TEST_CASE("A vessel too small for its sizes is refused with the smallest that wo
 {
   const ScratchFolder folder;
   folder.file("mortar.prm", mortar);
-  const std::string              of    = "Specimen/Genesis/";
-  const std::vector<std::string> asked = {of + "Classes=1e-3: 0.75, 8e-3: 0.25", of + "Porosity=0.15"};
-  const auto                     with  = [&](const std::vector<std::string> &more) {
-    std::vector<std::string> all = asked;
+  const std::string              of        = "Specimen/Genesis/";
+  const std::vector<std::string> requested = {of + "Classes=1e-3: 0.75, 8e-3: 0.25", of + "Porosity=0.15"};
+  const auto                     with      = [&](const std::vector<std::string> &more) {
+    std::vector<std::string> all = requested;
     all.insert(all.end(), more.begin(), more.end());
     return all;
   };

@@ -38,9 +38,9 @@ TEST_CASE("A beam with a core of particles: the published example's particles, e
           "[apps][coupled][volume][slow]")
 {
   const ScratchFolder folder;
-  const std::string   scene = shipped("beam_with_core.prm");
-  const Outcome       told  = outcome_of(folder, "check", scene, {});
-  CHECK_THAT(told.out, Contains("elements     60") && Contains("concrete 364") && Contains("handshake    core: "));
+  const std::string   scene   = shipped("beam_with_core.prm");
+  const Outcome       checked = outcome_of(folder, "check", scene, {});
+  CHECK_THAT(checked.out, Contains("elements     60") && Contains("concrete 364") && Contains("handshake    core: "));
   // Nothing breaks: nothing may be lost.
   const Results found  = results_of(folder, scene,
                                     {"Particles/Materials/concrete/CPM/Limit elastic strain=1 -", "Time/Damping=0",

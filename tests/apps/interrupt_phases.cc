@@ -1,5 +1,6 @@
 #include "apps/process/exit_status.h"
 #include "apps/process/interrupt.h"
+#include "tests/apps/continuum_scenes.h"
 #include "tests/apps/program.h"
 #include "tests/apps/scenes.h"
 #include "tests/apps/scratch_folder.h"
@@ -68,7 +69,7 @@ namespace
     return outcome;
   }
 
-  /** The program is told to stop in the middle of something long, and ends within five seconds. */
+  /** The program is requested to stop in the middle of something long, and ends within five seconds. */
   void stops_within_five_seconds(const ScratchFolder &folder, const std::vector<std::string> &arguments)
   {
     INFO(arguments.front());
@@ -130,42 +131,15 @@ TEST_CASE("A signal is answered within five seconds while a stiffness is factori
   }
   SECTION("of elements")
   {
-    folder.file("x.prm", R"(set Kind = continuum
-subsection Model
-  set Dimension = 3
+    folder.file("x.prm",
+                pulled_box("set Size = 1, 1, 1\nset Divisions x = 40\nset Divisions y = 40\nset Divisions z = 40\n",
+                           R"(set Law = isotropic elastic
+subsection isotropic elastic
+  set Young modulus = 30e9
+  set Poisson ratio = 0.2
 end
-subsection Mesh
-  set Source = box
-  subsection Box
-    set Size        = 1, 1, 1
-    set Divisions x = 40
-    set Divisions y = 40
-    set Divisions z = 40
-  end
-end
-subsection Materials
-  subsection solid
-    set Law = isotropic elastic
-    subsection isotropic elastic
-      set Young modulus = 30e9
-      set Poisson ratio = 0.2
-    end
-  end
-end
-subsection Boundary conditions
-  subsection left
-    set Displacement x = 0
-    set Displacement y = 0
-    set Displacement z = 0
-  end
-  subsection right
-    set Displacement x = 1e-4*t
-  end
-end
-subsection Control
-  set Linear solver = direct
-end
-)");
-    stops_within_five_seconds(folder, {"run", "x.prm"});
+)",
+                           "1e-4*t"));
+    stops_within_five_seconds(folder, {"run", "x.prm", "-s", "Control/Linear solver=direct"});
   }
 }

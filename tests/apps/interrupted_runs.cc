@@ -19,7 +19,7 @@ namespace apps_tests
       return arguments;
     }
 
-    /** A run that was told to stop says how to go on; one that was killed goes on by the same command. */
+    /** A run that was requested to stop says how to go on; one that was killed goes on by the same command. */
     std::vector<std::string> way_to_go_on(const InterruptedRun &what, const Outcome &stopped, const int signal)
     {
       if (signal == SIGKILL)

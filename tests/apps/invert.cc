@@ -18,11 +18,11 @@ namespace
   analysed(const std::string &table, const std::string &response, const std::string &factors, const std::string &model)
   {
     const ScratchFolder folder;
-    const Outcome       told =
+    const Outcome       outcome =
       run(folder.path(), {"analyse", places::sources() + "/apps/scenes/tables/" + table, "--response", response,
                           "--factors", factors, "--model", model, "-o", "out"});
-    INFO(told.err);
-    REQUIRE(told.status == 0);
+    INFO(outcome.err);
+    REQUIRE(outcome.status == 0);
     return content_of(folder / "out/analysis.json");
   }
 
@@ -77,10 +77,10 @@ TEST_CASE("breccia invert meets all five published targets of concrete exactly, 
       words.insert(words.end(), {"--target", "sigma_u=" + std::to_string(target[0]), "--target",
                                  "E=" + std::to_string(target[1]), "--target", "nu=" + std::to_string(target[2]),
                                  "--starts", "1", "--generations", "50", "--population", "50", "-o", "out"});
-      const Outcome told = inverted(folder, all_surfaces, words);
-      INFO(told.err);
-      REQUIRE(told.status == 0);
-      CHECK_THAT(told.out, !Contains("warning"));
+      const Outcome outcome = inverted(folder, all_surfaces, words);
+      INFO(outcome.err);
+      REQUIRE(outcome.status == 0);
+      CHECK_THAT(outcome.out, !Contains("warning"));
       const auto found = inversion_in(folder);
       CHECK(found["reached"] == true);
       CHECK(found["misfit"].get<double>() < 1e-10);
@@ -102,11 +102,11 @@ TEST_CASE("the report of an inversion is one page with its figures, answers and 
 {
   const ScratchFolder folder;
   put_published(folder);
-  const Outcome told = inverted(folder, all_surfaces,
-                                {"--target", "sigma_u=42.67", "--target", "E=26.78", "--target", "nu=0.209", "--starts",
-                                 "1", "--generations", "30", "--population", "50", "-o", "out"});
-  INFO(told.err);
-  REQUIRE(told.status == 0);
+  const Outcome outcome = inverted(folder, all_surfaces,
+                                   {"--target", "sigma_u=42.67", "--target", "E=26.78", "--target", "nu=0.209",
+                                    "--starts", "1", "--generations", "30", "--population", "50", "-o", "out"});
+  INFO(outcome.err);
+  REQUIRE(outcome.status == 0);
   const std::string page = content_of(folder / "out/report.html");
   CHECK_THAT(page,
              Contains("data:image/png;base64,iVBORw0KGgo") && Contains("sigma_u") && Contains("equally good answers"));
@@ -121,10 +121,10 @@ TEST_CASE("breccia invert names the target that cannot be met, and by how much i
   std::vector<std::string> words = published_box;
   words.insert(words.end(), {"--target", "sigma_u=15", "--target", "E=30", "--target", "nu=0.2", "--starts", "1",
                              "--generations", "50", "--population", "50", "-o", "out"});
-  const Outcome told = inverted(folder, all_surfaces, words);
-  INFO(told.err);
-  REQUIRE(told.status == 0);
-  CHECK_THAT(told.out, Contains("warning: sigma_u = 15 cannot be met within the box: the surface comes to 19.98"));
+  const Outcome outcome = inverted(folder, all_surfaces, words);
+  INFO(outcome.err);
+  REQUIRE(outcome.status == 0);
+  CHECK_THAT(outcome.out, Contains("warning: sigma_u = 15 cannot be met within the box: the surface comes to 19.98"));
   const auto found = inversion_in(folder);
   CHECK(found["reached"] == false);
   CHECK(found["responses"]["sigma_u"]["value"].get<double>() == Approx(19.986).margin(3e-3)); // at (10, 10)
@@ -140,12 +140,12 @@ TEST_CASE("breccia invert gives the least sum of magnitudes where two targets co
   folder.file("p.json", surface("p", R"({"x": [0, 4]})", R"({"x": 1})"));
   folder.file("q.json", surface("q", R"({"x": [0, 4]})", R"({"x": 3})"));
   // |x - 1| / 1 + |3 x - 9| / 9 is least at x = 1, where q misses; the sum of squares would miss both
-  const Outcome told =
+  const Outcome outcome =
     inverted(folder, {"p.json", "q.json"}, {"--target", "p=1", "--target", "q=9", "--starts", "1", "-o", "out"});
-  INFO(told.err);
-  REQUIRE(told.status == 0);
+  INFO(outcome.err);
+  REQUIRE(outcome.status == 0);
   CHECK(inversion_in(folder)["constants"]["x"]["value"].get<double>() == Approx(1).margin(1e-6));
-  CHECK_THAT(told.out, Contains("q = 9 cannot be met within the box: the surface comes to 3, off by -66.7 %"));
+  CHECK_THAT(outcome.out, Contains("q = 9 cannot be met within the box: the surface comes to 3, off by -66.7 %"));
   // relative to what the surface gives, |x - 1| / x + |3 x - 9| / (3 x) = 2 / x up to x = 3
   REQUIRE(inverted(folder, {"p.json", "q.json"},
                    {"--target", "p=1", "--target", "q=9", "--over-prediction", "--starts", "1", "-o", "out"})
@@ -219,7 +219,7 @@ TEST_CASE("breccia invert refuses what it cannot answer, in one message", "[apps
          {{"y.json", "z.json", "--target", "y=1", "--target", "z=1"}, "leave no room for a. Give one by --box"}}));
   std::vector<std::string> all = words;
   all.insert(all.begin(), "invert");
-  const Outcome told = run(folder.path(), all);
-  CHECK(told.status == 2);
-  CHECK_THAT(told.err, Contains(said));
+  const Outcome outcome = run(folder.path(), all);
+  CHECK(outcome.status == 2);
+  CHECK_THAT(outcome.err, Contains(said));
 }

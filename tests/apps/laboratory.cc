@@ -1,4 +1,4 @@
-// What a laboratory asks of a uniaxial test: section and gauge length, figures from every step, one piece, cracks told.
+// Requirements of a laboratory on a uniaxial test: section and gauge length, figures from every step, one piece, cracks reported.
 #include "apps/runs/quasi_static/lab_test.h"
 #include "tests/apps/program.h"
 #include "tests/apps/scenes.h"

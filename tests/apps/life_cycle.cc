@@ -242,7 +242,7 @@ TEST_CASE("A run that a program takes from state to state, and stops, leaves the
   while (steps.go_on())
     ++taken;
   CHECK(taken == 6);
-  CHECK_FALSE(steps.go_on()); // and may be asked again
+  CHECK_FALSE(steps.go_on()); // and may be called again
   CHECK(steps.finish().exit_status() == apps::exit_success);
   for (const char *file : {"series.csv", "sum.txt"})
     CHECK(content_of(folder / "out" / file) == content_of(folder / "whole" / file));

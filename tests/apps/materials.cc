@@ -59,7 +59,7 @@ namespace
     return text;
   }
 
-  /** Everything that a run of the two tests leaves and that must not depend on how the materials were told. */
+  /** Everything that a run of the two tests leaves and that must not depend on how the materials were given. */
   std::string figures_of(const std::filesystem::path &results)
   {
     return content_of(results / "series.csv") + listing_of(results / "tension_particles") +

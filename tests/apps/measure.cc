@@ -17,10 +17,10 @@ TEST_CASE("breccia measure prints stress, fabric, coordination and damage of the
   REQUIRE(
     run(folder.path(), {"run", "stack.prm", "-o", "out", "-s", "Loading/Tests=tension", "-s", "Output/Snapshots=0"})
       .status == 0);
-  const Outcome told = run(folder.path(), {"measure", "out/tension_state.h5", "-o", "measured"});
-  CHECK(told.status == 0);
-  CHECK_THAT(told.out, Contains("particles              175") && Contains("fabric, links made") &&
-                         Contains("1094 made") && Contains("stress"));
+  const Outcome outcome = run(folder.path(), {"measure", "out/tension_state.h5", "-o", "measured"});
+  CHECK(outcome.status == 0);
+  CHECK_THAT(outcome.out, Contains("particles              175") && Contains("fabric, links made") &&
+                            Contains("1094 made") && Contains("stress"));
   const auto json = nlohmann::json::parse(content_of(folder / "measured/measured.json"));
   CHECK(json["particles"] == 175);
   CHECK(json["mean_damage"]["value"].get<double>() > 0);

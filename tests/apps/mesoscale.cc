@@ -40,7 +40,7 @@ TEST_CASE("Mix: classes of the constituents are the grading, and the content is 
   const apps::MixSection mix = low_19();
   mix.check({}, {0.05, 0.05, 0.05}, 3);
   CHECK_THAT(mix.all_aggregates(), WithinAbs(0.70654, 0.5e-5));
-  CHECK_THAT(mix.asked_content(), WithinAbs(0.28307, 1e-5));
+  CHECK_THAT(mix.prescribed_content(), WithinAbs(0.28307, 1e-5));
   const dem::AggregateSizes sizes = mix.sizes_in({0.05, 0.05, 0.05});
   CHECK(sizes.diameters.size() == 134);
   CHECK_THAT(sizes.diameters.front(), WithinAbs(17.756e-3, 0.5e-6));
@@ -114,7 +114,7 @@ TEST_CASE("Mix: links between different aggregates are of the interface, within 
   CHECK(modulus(1, 3) == 12.5e9);
 }
 
-TEST_CASE("Mix: a run says what was asked and reached, and its figures by class of links", "[apps][mesoscale]")
+TEST_CASE("Mix: a run reports what was requested and reached, and its figures by class of links", "[apps][mesoscale]")
 {
   const apps_tests::ScratchFolder folder;
   folder.file("packing.txt", apps_tests::stack_packing());
@@ -125,7 +125,7 @@ TEST_CASE("Mix: a run says what was asked and reached, and its figures by class 
   const auto  summary = nlohmann::json::parse(apps_tests::content_of(folder / "results/summary.json"));
   const auto &mix     = summary["mix"];
   CHECK(mix["aggregates"] > 0);
-  CHECK_THAT(mix["content_asked"].get<double>(), WithinRel(0.27, 1e-12));
+  CHECK_THAT(mix["content_requested"].get<double>(), WithinRel(0.27, 1e-12));
   CHECK_THAT(mix["content"].get<double>(), WithinRel(0.27, 0.2)); // few are whole
   CHECK(mix["sieves"].size() == 2);
   for (const auto &test : summary["tests"])

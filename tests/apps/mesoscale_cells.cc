@@ -15,7 +15,6 @@
 #include <cmath>
 #include <csignal>
 #include <filesystem>
-#include <sstream>
 #include <string>
 
 using namespace apps_tests;
@@ -102,11 +101,11 @@ namespace
 TEST_CASE("Mix: stiff spheres in a soft cell lie between the bounds of Hashin and Shtrikman, few at Eshelby's limit",
           "[apps][mesoscale]")
 {
-  dem::CompactionParameters asked;
-  asked.radius               = 1e-3;
-  asked.count                = 4000;
-  asked.friction             = 1;
-  const dem::Packing packing = dem::compact(asked).packing;
+  dem::CompactionParameters requested;
+  requested.radius           = 1e-3;
+  requested.count            = 4000;
+  requested.friction         = 1;
+  const dem::Packing packing = dem::compact(requested).packing;
   const Moduli       soft    = composite_of(packing, {}).moduli, stiff{stiffer * soft.bulk, stiffer * soft.shear};
 
   const Composite one = composite_of(packing, round_aggregates(0.03));
@@ -131,34 +130,13 @@ TEST_CASE("Mix: stiff spheres in a soft cell lie between the bounds of Hashin an
 
 namespace
 {
-  /** n^3 touching spheres of 1 mm on a cubic lattice that are a little displaced, periodic. */
-  std::string uneven_lattice(const int n)
-  {
-    std::ostringstream text;
-    text << "# periodic_cell " << 2e-3 * n << ' ' << 2e-3 * n << ' ' << 2e-3 * n << '\n';
-    for (int i = 0; i < n * n * n; ++i)
-      text << 2e-3 * (i % n + 0.03 * std::sin(7 * i)) << ' ' << 2e-3 * (i / n % n + 0.03 * std::sin(11 * i)) << ' '
-           << 2e-3 * (i / (n * n) + 0.03 * std::sin(13 * i)) << " 1e-3\n";
-    return text.str();
-  }
-
-  const std::string two_sizes = R"(
-  subsection Mix
-    set Content            = 0.3
-    set Grading            = passing
-    set Curve              = 6e-3: 100, 4e-3: 0
-    set Smallest aggregate = 4e-3
-    set Sizes              = drawn
-  end
-)";
-
   /** Of a periodic cell of 12 mm in each edge; `loading` in place of that of a uniaxial scene. */
   std::string cell_of_concrete(const std::string &kind, const std::string &loading)
   {
     std::string scene = replaced(scene_with_file(), "Kind = uniaxial", "Kind = " + kind);
     const auto  begin = scene.find("subsection Loading"), end = scene.find("subsection Output");
     scene.replace(begin, end - begin, loading);
-    return replaced(scene, "Interaction ratio = 1.5\n", "Interaction ratio = 1.5\n" + two_sizes);
+    return replaced(scene, "Interaction ratio = 1.5\n", "Interaction ratio = 1.5\n" + mix_of_two_sizes());
   }
 
   std::string moving_cell()

@@ -1,5 +1,6 @@
 // Specimens of a mix through the program, in kinds other than uniaxial, quasi_static and cell.
 #include "apps/process/mpi_session.h"
+#include "tests/apps/continuum_scenes.h"
 #include "tests/apps/scene_runs.h"
 #include "tests/apps/scenes.h"
 #include "tests/places.h"
@@ -7,7 +8,6 @@
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
-#include <cmath>
 #include <filesystem>
 #include <regex>
 #include <sstream>
@@ -20,37 +20,7 @@ using Catch::WithinRel;
 
 namespace
 {
-  std::string lattice_of_mix(const int n)
-  {
-    std::ostringstream text;
-    text << "# periodic_cell " << 2e-3 * n << ' ' << 2e-3 * n << ' ' << 2e-3 * n << '\n';
-    for (int i = 0; i < n * n * n; ++i)
-      text << 2e-3 * (i % n + 0.03 * std::sin(7 * i)) << ' ' << 2e-3 * (i / n % n + 0.03 * std::sin(11 * i)) << ' '
-           << 2e-3 * (i / (n * n) + 0.03 * std::sin(13 * i)) << " 1e-3\n";
-    return text.str();
-  }
-
-  const std::string mix_and_law = R"(
-  subsection Mix
-    set Content            = 0.3
-    set Grading            = passing
-    set Curve              = 6e-3: 100, 4e-3: 0
-    set Smallest aggregate = 4e-3
-    set Sizes              = drawn
-  end
-end
-subsection Material
-  set Law = CPM
-  subsection CPM
-    set Normal modulus       = 25e9
-    set Shear ratio          = 0.2
-    set Limit elastic strain = 1e-4
-    set Relative ductility   = 30
-    set Cohesion             = 3e6
-    set Friction coefficient = 0.8
-  end
-end
-)";
+  std::string mix_and_law() { return mix_of_two_sizes() + "end\n" + material_of_concrete(); }
 
   const std::string specimen_of_mix = R"(subsection Specimen
   set Source            = file
@@ -75,7 +45,7 @@ end
 
   std::string pulled_structure()
   {
-    return "set Kind = structure\n" + specimen_of_mix + mix_and_law + two_ends + R"(subsection Supports
+    return "set Kind = structure\n" + specimen_of_mix + mix_and_law() + two_ends + R"(subsection Supports
   subsection bottom
     set Displacement x = 0
     set Displacement y = 0
@@ -99,7 +69,7 @@ end
 
   std::string pulled_particles()
   {
-    return "set Kind = particles\n" + specimen_of_mix + "  set Density = 4000\n" + mix_and_law + two_ends +
+    return "set Kind = particles\n" + specimen_of_mix + "  set Density = 4000\n" + mix_and_law() + two_ends +
            R"(subsection Motion
   subsection bottom
     set Velocity z = -0.1
@@ -139,11 +109,11 @@ end
   }
 } // namespace
 
-TEST_CASE("Mix: structures and particles say what was asked and reached, and their figures by class of links",
+TEST_CASE("Mix: structures and particles report what was requested and reached, and their figures by class of links",
           "[apps][mesoscale]")
 {
   const ScratchFolder folder;
-  folder.file("packing.txt", lattice_of_mix(6));
+  folder.file("packing.txt", uneven_lattice(6));
   for (const std::string &scene : {pulled_structure(), pulled_particles()})
     {
       folder.file("x.prm", scene);
@@ -174,41 +144,11 @@ namespace
   /** A strip of cells behind elements, with a mix in each cell. */
   std::string cells_of_mix()
   {
-    const std::string cell = "  set File              = packing.txt\n  set Interaction ratio = 1.5\n";
-    return R"(set Kind = continuum
-subsection Model
-  set Dimension = 3
-end
-subsection Mesh
-  set Source = box
-  subsection Box
-    set Size = 0.1, 0.1, 0.1
-  end
-end
-subsection Materials
-  subsection solid
-    set Law = cells
-    subsection cells
-subsection Specimen
-  set Source            = file
-)" + cell + mix_and_law +
-           R"(    end
-  end
-end
-subsection Boundary conditions
-  subsection left
-    set Displacement x = 0
-    set Displacement y = 0
-    set Displacement z = 0
-  end
-  subsection right
-    set Displacement x = 1e-5*t
-  end
-end
-subsection Control
-  set End = 1
-end
-)";
+    return pulled_box("set Size = 0.1, 0.1, 0.1\n",
+                      "set Law = cells\nsubsection cells\nsubsection Specimen\nset Source = file\n"
+                      "set File = packing.txt\nset Interaction ratio = 1.5\n" +
+                        mix_and_law() + "end\n",
+                      "1e-5*t");
   }
 } // namespace
 
@@ -216,13 +156,13 @@ TEST_CASE("Mix: cells behind integration points have the stiffness that homogeni
           "[apps][mesoscale][cells]")
 {
   const ScratchFolder folder;
-  folder.file("packing.txt", lattice_of_mix(6));
+  folder.file("packing.txt", uneven_lattice(6));
   folder.file("cells.prm", cells_of_mix());
-  const Outcome told = run(folder.path(), {"check", "cells.prm"});
-  INFO(told.err);
-  REQUIRE(told.status == 0);
+  const Outcome checked = run(folder.path(), {"check", "cells.prm"});
+  INFO(checked.err);
+  REQUIRE(checked.status == 0);
   std::smatch found;
-  REQUIRE(std::regex_search(told.out, found, std::regex("stiffness D11 ([0-9.e+]+)")));
+  REQUIRE(std::regex_search(checked.out, found, std::regex("stiffness D11 ([0-9.e+]+)")));
   folder.file("mix.prm", pulled_structure());
   const Outcome homogenised = run(
     folder.path(), {"homogenise", "packing.txt", "--interaction-ratio", "1.5", "--materials", "mix.prm", "-o", "out"});

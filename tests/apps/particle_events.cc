@@ -1,4 +1,4 @@
-// Section "Particles" of a sequential scene: what its words ask for, and what makes no sense; and for whom a mapping law is.
+// Section "Particles" of a sequential scene: what its words mean, and what makes no sense; and the origin of a mapping law.
 #include "apps/runs/sequential/law_origin.h"
 #include "apps/runs/sequential/particle_event.h"
 #include "apps/runs/sequential/transfer_section.h"
@@ -133,7 +133,7 @@ TEST_CASE("Instants of two signs, an end beyond nothing and speeds of nothing ar
              Contains("Impactor velocities") && Contains("above 0"));
 }
 
-TEST_CASE("For whom a mapping law was found is read as it was written, also with the name that a continuum had before",
+TEST_CASE("The origin of a mapping law is read as it was written, also with the name that a continuum had before",
           "[apps][transfer]")
 {
   const apps::LawOrigin origin{"compression", a, "damage-plastic concrete", b};

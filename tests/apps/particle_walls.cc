@@ -141,12 +141,12 @@ TEST_CASE("STL as programs write it is read: capital letters, a byte-order mark,
                            "  FACET NORMAL 0 0 1\r\n    OUTER LOOP\r\n      VERTEX -1 -1 0\r\n      VERTEX 1 1 0\r\n"
                            "      VERTEX -1 1 0\r\n    ENDLOOP\r\n  ENDFACET\r\nENDSOLID FLOOR\r\n";
   folder.file("floor.stl", file);
-  const std::vector<std::string> with = {"Walls/floor/Shape=file", "Walls/floor/File=floor.stl"};
-  const Outcome                  told = outcome_of(folder, "check", "x.prm", with);
-  INFO(told.err);
-  CHECK(told.status == 0);
-  CHECK_THAT(told.out, Contains("walls        floor (2 facets)"));
-  CHECK_THAT(told.err, Contains("floor.stl: 1 of 3 facets have no area and are left out."));
+  const std::vector<std::string> with    = {"Walls/floor/Shape=file", "Walls/floor/File=floor.stl"};
+  const Outcome                  outcome = outcome_of(folder, "check", "x.prm", with);
+  INFO(outcome.err);
+  CHECK(outcome.status == 0);
+  CHECK_THAT(outcome.out, Contains("walls        floor (2 facets)"));
+  CHECK_THAT(outcome.err, Contains("floor.stl: 1 of 3 facets have no area and are left out."));
   const Results found = results_of(folder, "x.prm", with);
   CHECK(found.figure("height", "least") < 0.01);
   CHECK(found.balance_error() < 1e-3);

@@ -30,7 +30,7 @@ namespace
     return count;
   }
 
-  /** What all files of a result folder hold, but those that tell of the run itself. */
+  /** What all files of a result folder hold, but those that describe the run itself. */
   std::map<std::string, std::string> results_in(const std::filesystem::path &folder)
   {
     std::map<std::string, std::string> found;

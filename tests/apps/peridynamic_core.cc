@@ -74,8 +74,8 @@ TEST_CASE("A beam with a peridynamic core that stops half way goes on to the sam
   CHECK(whole.figure("broken_bonds/end").value.value() > whole.series.column("broken_bonds").front());
   apps::RunRequest request = apps::request_of(scene);
   request.output_folder    = folder / "parts";
-  int asked                = 0;
-  request.stop             = [&] { return ++asked > 14; };
+  int requested            = 0;
+  request.stop             = [&] { return ++requested > 14; };
   REQUIRE(scene.scene->run(request).end == apps::RunResult::End::interrupted);
   request.stop                = nullptr;
   request.resume              = true;

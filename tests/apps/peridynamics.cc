@@ -38,7 +38,7 @@ namespace
   }
 
   /** It is stopped half way, goes on, and is compared with one that was not: rows, nodes and figures. */
-  void goes_on(const std::string &name, const std::vector<std::string> &changes, const int asked_before)
+  void goes_on(const std::string &name, const std::vector<std::string> &changes, const int requested_before)
   {
     const ScratchFolder      folder;
     std::vector<std::string> all = changes;
@@ -47,8 +47,8 @@ namespace
     const apps::RunResult    whole   = run_of(scene, folder / "whole");
     apps::RunRequest         request = apps::request_of(scene);
     request.output_folder            = folder / "parts";
-    int asked                        = 0;
-    request.stop                     = [&] { return ++asked > asked_before; };
+    int requested                    = 0;
+    request.stop                     = [&] { return ++requested > requested_before; };
     REQUIRE(scene.scene->run(request).end == apps::RunResult::End::interrupted);
     request.stop                = nullptr;
     request.resume              = true;
@@ -235,16 +235,16 @@ TEST_CASE("The plate with a hole holds at 376 MPa and breaks through at 380 MPa"
 TEST_CASE("A traction on a boundary that has cracked is doubted", "[apps]")
 {
   const ScratchFolder            folder;
-  const std::vector<std::string> cut  = {"Grid/Spacing=0.02", "Cracks/corner/From=0, 0.26", "Cracks/corner/To=0, 0.2"};
-  const auto                     told = [](const apps::RunResult &result) {
+  const std::vector<std::string> cut = {"Grid/Spacing=0.02", "Cracks/corner/From=0, 0.26", "Cracks/corner/To=0, 0.2"};
+  const auto                     outcome = [](const apps::RunResult &result) {
     return result.summary["warnings"].dump().find("Tractions/above: damage is") != std::string::npos;
   };
-  CHECK_FALSE(told(run_of(folder, "tension", {"Grid/Spacing=0.02"})));
+  CHECK_FALSE(outcome(run_of(folder, "tension", {"Grid/Spacing=0.02"})));
   // Between two columns of nodes; a second crack beside it leaves one column hanging by its lower bonds.
   std::vector<std::string> twice = cut;
   twice.emplace_back("Cracks/beside/From=0.02, 0.26");
   twice.emplace_back("Cracks/beside/To=0.02, 0.2");
-  CHECK(told(run_of(folder, "tension", twice)));
+  CHECK(outcome(run_of(folder, "tension", twice)));
 }
 
 TEST_CASE("Bodies that are torn to pieces at rest end as broken through, by either solver and kinematics", "[apps]")

@@ -1,12 +1,8 @@
 // Groups of particles that are driven on circles: by formulas of their place, and about an axis as rigid bodies.
-#include "apps/runs/particles/body.h"
-#include "apps/scene/overrides.h"
-#include "apps/scene/particles/model.h"
 #include "apps/scene/particles/motion.h"
-#include "apps/scene/reader.h"
-#include "apps/scene/section.h"
 #include "base/flat_state.h"
 #include "tests/apps/scene_runs.h"
+#include "tests/apps/two_balls.h"
 #include "tests/places.h"
 
 #include <Eigen/Geometry>
@@ -20,37 +16,12 @@ using Eigen::Vector3d;
 
 namespace
 {
-  /** Two balls of 10 and 5 mm that touch nobody. */
-  struct DrivenBalls
+  struct DrivenBalls : TwoBalls
   {
     explicit DrivenBalls(const std::vector<std::string> &more)
+      : TwoBalls({"More particles/large/Centre=0.05, 0, 0", "More particles/small/Centre=-0.02, 0.03, 0.04"}, more)
     {
-      declare(root, model);
-      std::vector<std::string> entries = {"Specimen/Source=none",
-                                          "Specimen/Density=2500",
-                                          "More particles/large/Centre=0.05, 0, 0",
-                                          "More particles/large/Radius=0.01",
-                                          "More particles/small/Centre=-0.02, 0.03, 0.04",
-                                          "More particles/small/Radius=0.005",
-                                          "Material/Law=linear",
-                                          "Material/linear/Effective modulus=1e7",
-                                          "Time/End time=1",
-                                          "Time/Damping=0"};
-      entries.insert(entries.end(), more.begin(), more.end());
-      assign(root, apps::read_overrides(entries), "test");
-      model.check({});
-      packing = model.packing();
-      body    = std::make_unique<apps::ParticlesBody>(model, packing);
-      body->start();
     }
-
-    double   time() const { return body->specimen().time(); }
-    Vector3d place(const std::size_t i) const { return body->specimen().particle(i).position; }
-
-    apps::Section                        root;
-    apps::ParticlesModel                 model;
-    dem::Packing                         packing;
-    std::unique_ptr<apps::ParticlesBody> body;
   };
 
   Vector3d turned(const Vector3d &rotation, const Vector3d &arm)
@@ -61,7 +32,7 @@ namespace
 
 TEST_CASE("Particles driven by the field of a turn stay on their circles", "[apps][particles]")
 {
-  DrivenBalls     balls({"Motion/all/Velocity x=-100*y", "Motion/all/Velocity y=100*x", "Motion/all/Velocity z=0"});
+  DrivenBalls  balls({"Motion/all/Velocity x=-100*y", "Motion/all/Velocity y=100*x", "Motion/all/Velocity z=0"});
   const double radii[2] = {0.05, std::hypot(0.02, 0.03)};
   balls.body->advance_to(2 * M_PI / 100 * 10); // ten turns
   for (std::size_t i = 0; i < 2; ++i)
@@ -77,7 +48,7 @@ TEST_CASE("A field that drives particles is that of the place where they are in 
           "[apps][particles]")
 {
   // dx/dt = 50 x: the implicit midpoint rule grows by (1 + h)/(1 - h) a step, h = 50 dt/2.
-  DrivenBalls     balls({"Motion/large/Velocity x=50*x"});
+  DrivenBalls  balls({"Motion/large/Velocity x=50*x"});
   const double h = 25 * balls.body->specimen().time_step();
   balls.body->advance(100);
   CHECK(balls.place(0).x() == Approx(0.05 * std::pow((1 + h) / (1 - h), 100)).epsilon(1e-10));
@@ -86,7 +57,7 @@ TEST_CASE("A field that drives particles is that of the place where they are in 
 TEST_CASE("A group turns about an axis that moves, as one rigid body, spins included", "[apps][particles]")
 {
   const Vector3d centre(0.01, -0.02, 0.03), rate(3, -40, 25), speed(0.5, 0, -0.2);
-  DrivenBalls       balls({"Motion/all/Turn x=6*t", "Motion/all/Turn y=-80*t", "Motion/all/Turn z=50*t",
+  DrivenBalls    balls({"Motion/all/Turn x=6*t", "Motion/all/Turn y=-80*t", "Motion/all/Turn z=50*t",
                         "Motion/all/Centre=0.01, -0.02, 0.03", "Motion/all/Velocity x=0.5", "Motion/all/Velocity z=-0.2"});
   const Vector3d start[2] = {balls.place(0), balls.place(1)};
   balls.body->advance_to(0.3);
@@ -103,7 +74,7 @@ TEST_CASE("A group turns about an axis that moves, as one rigid body, spins incl
 TEST_CASE("A turn about one axis leaves free what it does not move", "[apps][particles]")
 {
   DrivenBalls balls({"Motion/small/Turn z=30", "Gravity/Acceleration=0, 0, -9.81", "Gravity/Initial equilibrium=none",
-                  "Probes/weight/Quantity=reaction", "Probes/weight/Group=small", "Probes/weight/Component=z"});
+                     "Probes/weight/Quantity=reaction", "Probes/weight/Group=small", "Probes/weight/Component=z"});
   balls.body->advance_to(0.02);
   CHECK(balls.body->row().at(1) == 0); // it falls, nothing holds it
   const double t = balls.time(), fallen = balls.place(1).z() - 0.04;
@@ -117,7 +88,7 @@ TEST_CASE("A group that turns goes on from its state to the same bits", "[apps][
 {
   const std::vector<std::string> motion = {"Motion/all/Turn y=20*sin(30*t)", "Motion/all/Turn z=7",
                                            "Motion/all/Velocity x=0.1*t", "Motion/all/Centre=0.02, 0, 0.01"};
-  DrivenBalls                       whole(motion), resumed(motion);
+  DrivenBalls                    whole(motion), resumed(motion);
   whole.body->advance(100);
   base::Column          state;
   base::FlatStateWriter writer(state);
@@ -143,7 +114,7 @@ TEST_CASE("Turns that mean nothing are refused with the place", "[apps][particle
   refused({"Motion/ball/Turn z=100", "Motion/all/Velocity x=1"}, "which prescribes the same");
   refused({"Motion/ball/Centre=0, 0, 1"}, "the group does not turn");
   REQUIRE_THROWS_WITH(DrivenBalls({"Physics/Dimension=2", "Specimen/Thickness=0.01",
-                                "More particles/small/Centre=-0.02, 0.03, 0", "Motion/small/Turn x=1"}),
+                                   "More particles/small/Centre=-0.02, 0.03, 0", "Motion/small/Turn x=1"}),
                       Contains("in two dimensions a group turns about z"));
 }
 
@@ -256,7 +227,7 @@ TEST_CASE("The torque that twists eight spheres is that of their bonds about the
 
 TEST_CASE("The torque of a held group is that of its weights about the given point", "[apps][particles]")
 {
-  DrivenBalls     balls({"Motion/all/Velocity x=0", "Motion/all/Velocity y=0", "Motion/all/Velocity z=0",
+  DrivenBalls  balls({"Motion/all/Velocity x=0", "Motion/all/Velocity y=0", "Motion/all/Velocity z=0",
                       "Gravity/Acceleration=0, 0, -9.81", "Gravity/Initial equilibrium=none",
                       "Probes/torque/Quantity=reaction torque", "Probes/torque/Point=0.01, 0, 0",
                       "Probes/torque/Component=y"});

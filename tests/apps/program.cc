@@ -45,7 +45,7 @@ namespace apps_tests
       return content;
     }
 
-    /** What a program takes over from who starts it, once, when its libraries are loaded. */
+    /** What a program inherits, once, when its libraries are loaded. */
     struct Surroundings
     {
       std::vector<std::string> environment;

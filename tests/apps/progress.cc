@@ -49,7 +49,7 @@ TEST_CASE("Silent work is reported in a log by its innermost part", "[apps]")
       part.update("step 3");
       std::this_thread::sleep_for(milliseconds(60));
       part.update("step 4");
-      std::this_thread::sleep_for(milliseconds(1000)); // the board looks five times a second
+      std::this_thread::sleep_for(milliseconds(1000)); // the board updates five times a second
     }
     std::this_thread::sleep_for(milliseconds(1000));
   }
@@ -69,13 +69,13 @@ TEST_CASE("A log reports the present progress of work, and no outdated estimate"
     apps::Progress       work("steps", apps::Progress::Shown::everywhere, milliseconds(300));
     work.update(0.0, "");
     std::this_thread::sleep_for(milliseconds(100));
-    work.update(0.5, ""); // too early for a line: told with the next one, also if nothing follows
+    work.update(0.5, ""); // too early for a line: shown with the next one, also if nothing follows
     std::this_thread::sleep_for(milliseconds(1500));
   }
   const std::string log = content_of(folder / "log");
   INFO(log);
-  const auto told = log.find("steps: 50 %, at most ");
-  REQUIRE(told != std::string::npos);
-  CHECK(log.find("at most", told + 20) == std::string::npos);
+  const auto outcome = log.find("steps: 50 %, at most ");
+  REQUIRE(outcome != std::string::npos);
+  CHECK(log.find("at most", outcome + 20) == std::string::npos);
   CHECK_THAT(log, Contains("steps: 50 %; "));
 }

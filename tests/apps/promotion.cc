@@ -86,7 +86,7 @@ TEST_CASE("A crack whose particles come with it bears what it bears where they w
   const auto &count = grown.series.column("core_promoted");
   CHECK(std::is_sorted(count.begin(), count.end()));
   CHECK(count.back() == promoted);
-  // What the force loses at it, the load factor held, is told.
+  // What the force loses at it, the load factor held, is reported.
   const auto &force   = grown.series.column("force_of_load_factor");
   double      largest = 0;
   for (std::size_t row = 1; row < count.size(); ++row)

@@ -57,7 +57,7 @@ TEST_CASE("a quasi-static run of two spheres follows the envelope of their link"
   const Outcome outcome = run(folder.path(), {"run", "x.prm", "-o", "out", "-s", "Loading/Tests=tension"});
   INFO(outcome.err);
   REQUIRE(outcome.status == 0);
-  CHECK_THAT(outcome.out, Contains("tension") && Contains("led by strain"));
+  CHECK_THAT(outcome.out, Contains("tension") && Contains("controlled by strain"));
   const auto summary = nlohmann::json::parse(content_of(folder / "out/summary.json"));
   // E eps_0 of the link, over a section that is the polygon about its circle (2 % at most).
   const double strength = summary["figures"]["tensile_strength"]["value"],

@@ -90,6 +90,17 @@ TEST_CASE("report writes of a folder the page that the run itself would have wri
   CHECK(content_of(folder / "other.html") == page);
 }
 
+TEST_CASE("report reads the summary of an earlier version, whose request is called asked", "[apps]")
+{
+  const ScratchFolder folder;
+  leave_run(folder);
+  const std::string page    = content_of(folder / "first/report.html");
+  const std::string summary = content_of(folder / "first/summary.json");
+  folder.file("first/summary.json", replaced(summary, "\"requested\"", "\"asked\""));
+  REQUIRE(run(folder.path(), {"report", "first", "-o", "other.html"}).status == 0);
+  CHECK(content_of(folder / "other.html") == page);
+}
+
 TEST_CASE("report says of a folder without a complete run what is missing", "[apps]")
 {
   const ScratchFolder folder;

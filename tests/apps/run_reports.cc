@@ -116,7 +116,8 @@ TEST_CASE("A crack at a grip is a warning, and a cell has no grips", "[apps]")
   CHECK(apps::warnings_of({test}).empty());
   test.crack.area_at_grips = 0.5e-4;
   REQUIRE(apps::warnings_of({test}).size() == 1);
-  CHECK_THAT(apps::warning_lines({test}), Catch::StartsWith("warning      tension: a crack touches a grip (50 % "));
+  CHECK_THAT(apps::warning_lines(apps::warnings_of({test})),
+             Catch::StartsWith("warning      tension: a crack touches a grip (50 % "));
   test.section = 0;
   CHECK(apps::warnings_of({test}).empty());
 }
@@ -138,11 +139,11 @@ TEST_CASE("Every summary begins with its scene, its kind and the changes as they
   request.overrides         = {"Time/End time=1"};
   const nlohmann::json head = apps::summary_head(request, "particles");
   CHECK(head["scene"] == "x.prm");
-  CHECK(head["asked"] == nlohmann::json({{"kind", "particles"}, {"overrides", {"Time/End time=1"}}}));
+  CHECK(head["requested"] == nlohmann::json({{"kind", "particles"}, {"overrides", {"Time/End time=1"}}}));
   CHECK_FALSE(head["version"].get<std::string>().empty());
 }
 
-TEST_CASE("The contact that a run tells of is said to be that of bodies, or of particles with the solid", "[apps]")
+TEST_CASE("The contact that a run reports is named as that of bodies, or of particles with the solid", "[apps]")
 {
   apps::ContactFigures contact;
   contact.note(1e-3, 5);

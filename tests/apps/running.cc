@@ -48,7 +48,7 @@ TEST_CASE("A run writes summary, series, curve, snapshots and the completed scen
   CHECK(summary["cost"]["particles"] == 175);
   CHECK(summary["energy"]["balance_error"].get<double>() >= 0);
   CHECK(summary["scene"] == "x.prm");
-  CHECK(summary["asked"]["overrides"][0] == "Output/Samples=60");
+  CHECK(summary["requested"]["overrides"][0] == "Output/Samples=60");
   CHECK_THAT(summary["version"].get<std::string>(), Catch::StartsWith("0."));
 
   const postprocess::CsvTable series = postprocess::read_csv_table(folder / "results/series.csv", false, {"test"});

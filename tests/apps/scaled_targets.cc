@@ -47,7 +47,7 @@ end
   }
 } // namespace
 
-TEST_CASE("breccia invert --check runs what it finds, and asks the surface for more until the runs give what is wanted",
+TEST_CASE("breccia invert --check runs what it finds, and corrects the surfaces' targets until the means are met",
           "[apps][slow]")
 {
   const ScratchFolder folder;
@@ -69,15 +69,15 @@ TEST_CASE("breccia invert --check runs what it finds, and asks the surface for m
                                                 "--tolerance",   "0.01"};
   std::vector<std::string>       with_folder = words;
   with_folder.insert(with_folder.end(), {"-o", "out"});
-  const Outcome told = typed(folder, with_folder);
-  INFO(told.err << told.out);
-  REQUIRE(told.status == 0);
+  const Outcome outcome = typed(folder, with_folder);
+  INFO(outcome.err << outcome.out);
+  REQUIRE(outcome.status == 0);
   const auto found = nlohmann::json::parse(content_of(folder / "out/inversion.json"));
   CHECK(found["checked"]["within_tolerance"] == true);
   const auto rounds = found["checked"]["rounds"];
   REQUIRE(rounds.size() == 2);
   CHECK(rounds[0]["responses"]["E"]["mean"].get<double>() == Approx(1.1 * E / 1.25).epsilon(0.01));
-  CHECK(rounds[1]["responses"]["E"]["asked"].get<double>() == Approx(1.1 * E * 1.25).epsilon(0.01));
+  CHECK(rounds[1]["responses"]["E"]["requested"].get<double>() == Approx(1.1 * E * 1.25).epsilon(0.01));
   CHECK(rounds[1]["responses"]["E"]["mean"].get<double>() == Approx(1.1 * E).epsilon(0.01));
   CHECK(found["constants"]["modulus"]["value"].get<double>() == Approx(27.5e9).epsilon(0.01));
 
@@ -98,12 +98,12 @@ TEST_CASE("breccia invert --check refuses a study without the surfaces' factors 
       fmt::format(
         R"({{"response": {{"name": "{}"}}, "surface": {{"box": {{"{}": [1, 2]}}, "terms": {{"1": 0, "{}": 1}}}}}})",
         response, factor, factor));
-    const Outcome told =
+    const Outcome outcome =
       typed(folder, {"invert", "surface.json", "--target", response + "=1.5", "--starts", "1", "--generations", "10",
                      "--population", "10", "--check", "study.prm", "-o", "out"});
-    CHECK(told.status == 2);
+    CHECK(outcome.status == 2);
     CHECK_FALSE(std::filesystem::exists(folder / "out/round_1"));
-    return told.err;
+    return outcome.err;
   };
   CHECK_THAT(refused("strength", "modulus"), Contains("no response strength") && Contains("There are: E"));
   CHECK_THAT(refused("E", "cohesion"), Contains("no factor cohesion") && Contains("There are: modulus"));

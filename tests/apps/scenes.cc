@@ -22,16 +22,19 @@ namespace apps_tests
 
   std::string pair_packing() { return "0 0 0 1e-3\n0 0 2e-3 1e-3\n"; }
 
-  std::string scene_with_file()
+  std::string uneven_lattice(const int n)
   {
-    return R"(set Kind = uniaxial
-subsection Specimen
-  set Source            = file
-  set File              = packing.txt
-  set Density           = 4800
-  set Interaction ratio = 1.5
-end
-subsection Material
+    std::ostringstream text;
+    text << "# periodic_cell " << 2e-3 * n << ' ' << 2e-3 * n << ' ' << 2e-3 * n << '\n';
+    for (int i = 0; i < n * n * n; ++i)
+      text << 2e-3 * (i % n + 0.03 * std::sin(7 * i)) << ' ' << 2e-3 * (i / n % n + 0.03 * std::sin(11 * i)) << ' '
+           << 2e-3 * (i / (n * n) + 0.03 * std::sin(13 * i)) << " 1e-3\n";
+    return text.str();
+  }
+
+  std::string material_of_concrete()
+  {
+    return R"(subsection Material
   set Law = CPM
   subsection CPM
     set Normal modulus       = 25e9
@@ -42,7 +45,32 @@ subsection Material
     set Friction coefficient = 0.8
   end
 end
-subsection Loading
+)";
+  }
+
+  std::string mix_of_two_sizes()
+  {
+    return R"(  subsection Mix
+    set Content            = 0.3
+    set Grading            = passing
+    set Curve              = 6e-3: 100, 4e-3: 0
+    set Smallest aggregate = 4e-3
+    set Sizes              = drawn
+  end
+)";
+  }
+
+  std::string scene_with_file()
+  {
+    return R"(set Kind = uniaxial
+subsection Specimen
+  set Source            = file
+  set File              = packing.txt
+  set Density           = 4800
+  set Interaction ratio = 1.5
+end
+)" + material_of_concrete() +
+           R"(subsection Loading
   set Grip thickness = 0.5e-3
   subsection Tension
     set Strain rate = 4

@@ -13,7 +13,16 @@ namespace apps_tests
   /** Two spheres of 1 mm on the z axis, 2 mm apart. */
   std::string pair_packing();
 
-  /** A scene that reads the packing "packing.txt" beside it, with the concrete of concrete_uniaxial.prm. */
+  /** n^3 touching spheres of 1 mm on a cubic lattice that are a little displaced, periodic, as a text packing. */
+  std::string uneven_lattice(int n);
+
+  /** Section Material: the concrete of concrete_uniaxial.prm. */
+  std::string material_of_concrete();
+
+  /** Section Mix of a specimen: 30 per cent of aggregates of 4 to 6 mm. */
+  std::string mix_of_two_sizes();
+
+  /** A scene that reads the packing "packing.txt" beside it, with material_of_concrete(). */
   std::string scene_with_file();
 
   /** The text with its first occurrence of `from` replaced. @throws std::logic_error if there is none */

@@ -1,4 +1,4 @@
-// Columns of a series: which are drawn, which end a run, what a summary tells of them.
+// Columns of a series: which are drawn, which end a run, what a summary reports of them.
 #include "apps/figures/drawn_curve.h"
 #include "apps/runs/continuum/summary.h"
 #include "apps/runs/particles/stops.h"
@@ -85,7 +85,7 @@ TEST_CASE("A condition of Stop ends a run beyond its value, and not before its t
 TEST_CASE("The summary of a solid holds its probes as they are declared", "[apps]")
 {
   using apps::ProbeColumn;
-  using Told = ProbeColumn::Told;
+  using Reported = ProbeColumn::Reported;
   apps::RunRequest request;
   request.scene_file           = "bar.prm";
   postprocess::CsvTable series = table({"load_factor", "opening", "reaction_left_x", "energy_dissipated",
@@ -101,10 +101,10 @@ TEST_CASE("The summary of a solid holds its probes as they are declared", "[apps
                                         {3, 2, 1}});
   apps::ContinuumReport report{request,
                                series,
-                               {{{"reaction_left_x", "N"}, Told::peak},
-                                {{"energy_stored", "J"}, Told::not_at_all},
-                                {{"energy_dissipated", "J"}, Told::last, "dissipated_energy"},
-                                {{"wetness", "kg"}, Told::last, "wetness"}}};
+                               {{{"reaction_left_x", "N"}, Reported::peak},
+                                {{"energy_stored", "J"}, Reported::not_at_all},
+                                {{"energy_dissipated", "J"}, Reported::last, "dissipated_energy"},
+                                {{"wetness", "kg"}, Reported::last, "wetness"}}};
   report.cost        = {{"steps", 3}};
   report.is_static   = true;
   report.ended_by    = "end";

@@ -32,9 +32,9 @@ namespace
 
     bool notes() const
     {
-      const bool told = terminal.find(note) != std::string::npos;
-      CHECK(summary["energy"].contains("not_in_balance") == told);
-      return told;
+      const bool noted = terminal.find(note) != std::string::npos;
+      CHECK(summary["energy"].contains("not_in_balance") == noted);
+      return noted;
     }
   };
 

@@ -37,11 +37,11 @@ TEST_CASE("Every scene that is shipped reads the same as it is completed in a re
       if (!entry.is_regular_file()) // tables, and designs of studies
         continue;
       INFO(entry.path());
-      const apps::CheckedScene asked = apps::read_scene(entry.path().string(), {});
-      const auto file = folder.file("scene.prm", completed_scene(*asked.root, apps::Completed::everything));
+      const apps::CheckedScene requested = apps::read_scene(entry.path().string(), {});
+      const auto file = folder.file("scene.prm", completed_scene(*requested.root, apps::Completed::everything));
       const apps::CheckedScene again = apps::read_scene(file, {});
       CHECK(completed_scene(*again.root, apps::Completed::what_decides_results) ==
-            completed_scene(*asked.root, apps::Completed::what_decides_results));
+            completed_scene(*requested.root, apps::Completed::what_decides_results));
     }
 }
 

@@ -160,10 +160,10 @@ TEST_CASE("a run that fails is a row of the table with its message, and the stud
   const ScratchFolder folder;
   write_study(folder, replaced(replaced(study_of_stack(), "Material/CPM/Normal modulus", "Loading/Grip thickness"),
                                "20e9, 30e9", "0.5e-3, 1"));
-  const Outcome told = study(folder, {"-o", "out"});
-  INFO(told.err);
-  CHECK(told.status == 0);
-  CHECK_THAT(told.out, Contains("4 runs, 2 failed"));
+  const Outcome outcome = study(folder, {"-o", "out"});
+  INFO(outcome.err);
+  CHECK(outcome.status == 0);
+  CHECK_THAT(outcome.out, Contains("4 runs, 2 failed"));
   const std::string table = content_of(folder / "out/table.csv");
   CHECK_THAT(table, Contains("\n3,1,5e-05,nan,nan\n# run 3 failed: ") && Contains("Grip thickness"));
   CHECK_THAT(table, !Contains("\n2,0.0005,0.0001,nan"));
@@ -188,10 +188,10 @@ TEST_CASE("a study that cannot run is refused before its first run, by entry and
      {"subsection limit", "subsection run", "\"run\" cannot name a column"},
      {"Kind       = study", "Kind = uniaxial", "a study is wanted"}}));
   write_study(folder, replaced(study_of_stack(), from, to));
-  const Outcome told = run(folder.path(), {"study", "study.prm", "-o", "out"}); // starts no other process
+  const Outcome outcome = run(folder.path(), {"study", "study.prm", "-o", "out"}); // starts no other process
   INFO(to);
-  CHECK(told.status == 2);
-  CHECK_THAT(told.err, Contains(said));
+  CHECK(outcome.status == 2);
+  CHECK_THAT(outcome.err, Contains(said));
   CHECK_FALSE(std::filesystem::exists(folder / "out"));
 }
 
@@ -208,11 +208,11 @@ TEST_CASE("a response that no run has is refused before the first run by name, w
   write_study(folder, replaced(study_of_stack(), from, to));
   for (const char *command : {"study", "check"})
     {
-      const Outcome told = run(folder.path(), command == std::string("study") ?
-                                                std::vector<std::string>{command, "study.prm", "-o", "out"} :
-                                                std::vector<std::string>{command, "study.prm"});
-      CHECK(told.status == 2);
-      CHECK_THAT(told.err, Contains("study.prm:") && Contains(said) && Contains(known));
+      const Outcome outcome = run(folder.path(), command == std::string("study") ?
+                                                   std::vector<std::string>{command, "study.prm", "-o", "out"} :
+                                                   std::vector<std::string>{command, "study.prm"});
+      CHECK(outcome.status == 2);
+      CHECK_THAT(outcome.err, Contains("study.prm:") && Contains(said) && Contains(known));
     }
   CHECK_FALSE(std::filesystem::exists(folder / "out"));
 }
@@ -240,9 +240,9 @@ TEST_CASE("responses of a study can be read from curves, and a column that no ru
                                "    set Figure = tensile_strength\n  end\n  subsection peak\n    set Curve = peak\n"
                                "    set Test = tension\n  end\n  subsection beyond\n    set Curve = value\n"
                                "    set Test = tension\n    set To = 10"));
-  const Outcome told = study(folder, {"-o", "out"});
-  INFO(told.err);
-  REQUIRE(told.status == 0);
+  const Outcome outcome = study(folder, {"-o", "out"});
+  INFO(outcome.err);
+  REQUIRE(outcome.status == 0);
   const std::string text = content_of(folder / "out/table.csv");
   CHECK_THAT(text, Catch::StartsWith("run,stiffness [Pa],limit [-],E [Pa],f_t [Pa],peak [Pa],beyond\n"));
   CHECK_THAT(text, Contains("# run 1 has no beyond: the curve does not get as far"));
@@ -315,7 +315,7 @@ TEST_CASE("under mpirun each process takes a part of a study, and its runs know 
   REQUIRE(status == 0);
   CHECK(content_of(folder / "ranks/table.csv") == content_of(folder / "alone/table.csv"));
   CHECK_THAT(content_of(folder / "said"), Contains("4 runs, 0 failed"));
-  std::filesystem::resize_file(folder / "ranks/journal/000001.json", 0); // damaged: only who begins afresh gets over it
+  std::filesystem::resize_file(folder / "ranks/journal/000001.json", 0); // damaged: only beginning afresh gets over it
   REQUIRE(study_on_ranks(folder, "-o ranks --restart") == 0);
   CHECK(content_of(folder / "ranks/table.csv") == content_of(folder / "alone/table.csv"));
   CHECK(study_on_ranks(folder, "-o ranks --part 1/2") != 0);
@@ -424,10 +424,11 @@ TEST_CASE("check of a study reads every run and says how many there are", "[apps
 {
   const ScratchFolder folder;
   write_study(folder, study_of_stack());
-  const Outcome told = run(folder.path(), {"check", "study.prm"});
-  INFO(told.err);
-  CHECK(told.status == 0);
-  CHECK_THAT(told.out, Contains("4 runs over 2 factors") && Contains("particles") && Contains("altogether   roughly"));
+  const Outcome outcome = run(folder.path(), {"check", "study.prm"});
+  INFO(outcome.err);
+  CHECK(outcome.status == 0);
+  CHECK_THAT(outcome.out,
+             Contains("4 runs over 2 factors") && Contains("particles") && Contains("altogether   roughly"));
   write_study(folder, replaced(study_of_stack(), "20e9, 30e9", "20e9, -1"));
   CHECK(run(folder.path(), {"check", "study.prm"}).status == 2);
 }
@@ -457,10 +458,10 @@ TEST_CASE("every design of a study makes its runs", "[apps]")
   give("0.5e-4, 1e-4", "1e-4", "set Lower = 2e-4\n set Upper = 3e-4");
   write_study(folder, text);
   folder.file("own.csv", "stiffness,limit\n21e9,1e-4\n22e9,2e-4\n");
-  const Outcome told = run(folder.path(), {"check", "study.prm"});
-  INFO(design << told.err);
-  CHECK(told.status == 0);
-  CHECK_THAT(told.out, Contains(runs + " over 2 factors"));
+  const Outcome outcome = run(folder.path(), {"check", "study.prm"});
+  INFO(design << outcome.err);
+  CHECK(outcome.status == 0);
+  CHECK_THAT(outcome.out, Contains(runs + " over 2 factors"));
 }
 
 TEST_CASE("Parts of a study that begin at the same moment share one plan", "[apps][studies]")

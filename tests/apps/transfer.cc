@@ -49,7 +49,7 @@ namespace
     return nlohmann::json::parse(content_of(folder / "summary.json"));
   }
 
-  /** What a study.csv tells, but for timings. */
+  /** Contents of a study.csv, but for timings. */
   std::string figures_in(const std::filesystem::path &study)
   {
     const auto  table = postprocess::read_csv_table(study, true);
@@ -251,7 +251,7 @@ TEST_CASE("The mapping law is identified from the particle run and one element, 
                             Contains("set Identified for  = compression, particles ") &&
                             Contains(", damage-plastic concrete "));
   CHECK(std::filesystem::file_size(folder / "law/identified.png") > 0);
-  CHECK_FALSE(std::filesystem::exists(folder / "law/states/state_000.h5")); // only the law was asked for
+  CHECK_FALSE(std::filesystem::exists(folder / "law/states/state_000.h5")); // only the law was requested
 
   // Its constants in place of the search give the same run; with other particles or another concrete they are doubted.
   const auto with_law = [&](Arguments changes) {

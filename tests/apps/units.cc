@@ -1,4 +1,4 @@
-// Numbers in another unit: asked about, and taken when the unit is named; the unit of lengths in files; what check tells of extents.
+// Numbers in another unit: questioned, and taken when the unit is named; the unit of lengths in files; what check reports of extents.
 #include "tests/apps/continuum_scenes.h"
 #include "tests/apps/scene_runs.h"
 #include "tests/apps/scenes.h"
@@ -47,10 +47,10 @@ TEST_CASE("A number of another unit is questioned in every dimension, and taken 
     return run(folder.path(),
                {"check", shipped(odd.scene), "-s", odd.entry + "=" + value, "-s", "Output/Samples=none"});
   };
-  const Outcome asked = check(odd.value);
-  CHECK(asked.status == 2);
-  CHECK_THAT(asked.err, Contains(odd.entry + " = " + odd.value + ": ") && Contains(odd.question) &&
-                          Contains("If it is meant, name the unit: " + odd.value + " " + odd.unit));
+  const Outcome requested = check(odd.value);
+  CHECK(requested.status == 2);
+  CHECK_THAT(requested.err, Contains(odd.entry + " = " + odd.value + ": ") && Contains(odd.question) &&
+                              Contains("If it is meant, name the unit: " + odd.value + " " + odd.unit));
   CHECK_THAT(check(odd.value + " " + odd.unit).err, Contains("Output/Samples = none: expected a whole number"));
 }
 
@@ -74,9 +74,9 @@ TEST_CASE("Numbers in lists are questioned, and taken where each names its unit"
                                                                 "Output/Samples=none";
     return run(folder.path(), {"check", shipped(odd.scene), "-s", odd.entry + "=" + value, "-s", last});
   };
-  const Outcome asked = check(odd.value);
-  CHECK(asked.status == 2);
-  CHECK_THAT(asked.err,
+  const Outcome requested = check(odd.value);
+  CHECK(requested.status == 2);
+  CHECK_THAT(requested.err,
              Contains(odd.entry + " = ") && Contains(odd.question) && Contains("If it is meant, name the unit: "));
   std::string       named = odd.value;
   const std::size_t colon = named.find(':');

@@ -115,7 +115,7 @@ TEST_CASE("validate takes one subject, and lists them where it knows none of tha
   CHECK_THAT(none.err, Contains("--only gravity waves") && Contains("concrete in uniaxial tension"));
 }
 
-TEST_CASE("A value beyond its limit, or none, is told of", "[apps]")
+TEST_CASE("A value beyond its limit, or none, is reported", "[apps]")
 {
   base::Reference reference{"subject", "source", [](base::Comparisons &rows) {
                               rows.of("a", "Pa", 1.02).within(0.01, 1);

@@ -87,16 +87,16 @@ TEST_CASE("Threads that wait for each other spin a microsecond and sleep then, u
     CHECK(said_of("GOMP_SPINCOUNT", threads("1")).times == 1); // nobody waits
   }
   {
-    auto asked              = nothing_said;
-    asked["GOMP_SPINCOUNT"] = "77";
-    const Environment environment(asked);
+    auto requested              = nothing_said;
+    requested["GOMP_SPINCOUNT"] = "77";
+    const Environment environment(requested);
     CHECK(said_of("GOMP_SPINCOUNT", threads("2")).value == "77");
     CHECK(said_of("GOMP_SPINCOUNT", threads("2")).times == 1);
   }
   {
-    auto asked               = nothing_said;
-    asked["OMP_WAIT_POLICY"] = "active";
-    const Environment environment(asked);
+    auto requested               = nothing_said;
+    requested["OMP_WAIT_POLICY"] = "active";
+    const Environment environment(requested);
     CHECK(said_of("OMP_WAIT_POLICY", threads("2")).value == "ACTIVE");
   }
 }

@@ -108,4 +108,39 @@ namespace block
       sum += specimen.particle(i).mass * specimen.particle(i).velocity;
     return sum;
   }
+
+  /** A spinning ball on its way to an edge of a free block, which it leaves again. */
+  struct BallOnBlock
+  {
+    Block<3>                      block;
+    dem::Specimen                 specimen;
+    coupling::ConcurrentMotion<3> both;
+
+    /** @param elements along a side of the block */
+    BallOnBlock(const unsigned int                         elements,
+                const double                               step_factor,
+                const coupling::SurfaceCouplingParameters &contact)
+      : block(elements)
+      , specimen(ball(0.02, {0.03, 0.062, 0.1205}, {2, -1, -5}, {40, 100, -60}, step_factor))
+      , both(specimen, block.solid, *block.motion, *block.participant)
+    {
+      both.add_surface(contact);
+    }
+
+    const coupling::SurfaceCoupling<3> &surface() const { return *both.surfaces().front(); }
+    const dem::Surface                 &facets() const { return specimen.surfaces().at(surface().surface()); }
+    Vector3d                            total_momentum() const { return momentum(specimen) + block.momentum(); }
+    Vector3d                            total_angular_momentum() const
+    {
+      const dem::ParticleState p = specimen.particle(0);
+      return coupling::momentum_of(*block.participant).angular + p.position.cross(p.mass * p.velocity) +
+             p.inertia * p.spin;
+    }
+    double energy() const
+    {
+      const dem::EnergyAccount e = specimen.energy();
+      const auto               s = block.motion->energy();
+      return e.kinetic + e.elastic + e.friction + e.released + s.kinetic + s.internal;
+    }
+  };
 } // namespace block

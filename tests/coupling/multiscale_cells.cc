@@ -32,8 +32,8 @@ namespace
   {
     base::Stiffness D;
     for (int c = 0; c < 6; ++c)
-      D.col(c) = (asked(of, strain + step * base::Voigt::Unit(c), false).stress -
-                  asked(of, strain - step * base::Voigt::Unit(c), false).stress) /
+      D.col(c) = (requested(of, strain + step * base::Voigt::Unit(c), false).stress -
+                  requested(of, strain - step * base::Voigt::Unit(c), false).stress) /
                  (2 * step);
     return D;
   }
@@ -103,21 +103,21 @@ TEST_CASE("cells: the stress is continuous where the particles take over, as the
       of->allocate(1);
       for (const double at : {0.5 * size, size - 1e-7})
         {
-          CHECK(asked(*of, at * direction).stress == cell->stiffness() * (at * direction));
+          CHECK(requested(*of, at * direction).stress == cell->stiffness() * (at * direction));
           of->commit();
         }
       CHECK(of->promoted() == 0);
       CHECK(of->cell(0) == nullptr);
       strain               = size * direction;
       const auto elastic   = base::Voigt(cell->stiffness() * strain);
-      const auto particles = asked(*of, strain);
+      const auto particles = requested(*of, strain);
       CHECK(of->promoted() == 0); // only tried
       of->commit();
       CHECK(of->promoted() == 1);
       CHECK((particles.stress - elastic).norm() < 1e-10 * elastic.norm());
       CHECK(relative_difference(particles.tangent, cell->stiffness()) < 1e-10);
       // And the state that was taken is an equilibrium of its own: what the links bear is what the solution says.
-      CHECK((asked(*of, strain).stress - elastic).norm() < 1e-10 * elastic.norm());
+      CHECK((requested(*of, strain).stress - elastic).norm() < 1e-10 * elastic.norm());
     }
 }
 
@@ -134,7 +134,7 @@ TEST_CASE("cells: a cell that solves for everything has the elastic stiffness of
   const auto D       = dem::relaxed_stiffness(network).stiffness;
   for (int c = 0; c < 6; ++c)
     {
-      const auto answer = asked(*of, 1e-6 * base::Voigt::Unit(c));
+      const auto answer = requested(*of, 1e-6 * base::Voigt::Unit(c));
       CHECK(answer.stress[c] == Approx(1e-6 * D(c, c)).epsilon(1e-10));
       CHECK(answer.tangent(c, c) == Approx(D(c, c)).epsilon(1e-10));
     }
@@ -148,10 +148,10 @@ TEST_CASE("cells: the tangent of a point is the derivative of its stress, with d
       {
         auto of = points({prepared(concrete(), parameters(1e-13))}, coupling::Localised::go_on, large);
         of->allocate(1);
-        asked(*of, mixed(sign * 2e-4));
+        requested(*of, mixed(sign * 2e-4));
         of->commit();
         const auto             strain = mixed(sign * 2.2e-4);
-        const auto             answer = asked(*of, strain);
+        const auto             answer = requested(*of, strain);
         const fem::Dissipation lost   = of->dissipated(0, {});
         CHECK(lost.damage + lost.plasticity > 0);
         CHECK(relative_difference(answer.tangent, differences(*of, strain, 1e-9)) < 1e-6);
@@ -275,7 +275,7 @@ TEST_CASE("cells: an elastic path leaves no trace, then the cell localises and s
   for (int step = 0; step <= 1000; ++step)
     {
       const int  at     = step <= 500 ? step : 1000 - step;
-      const auto answer = asked(*of, strain(at));
+      const auto answer = requested(*of, strain(at));
       of->commit();
       if (step <= 500)
         there[at] = answer.stress;
@@ -286,7 +286,7 @@ TEST_CASE("cells: an elastic path leaves no trace, then the cell localises and s
   int steps = 0;
   while (of->end_of_validity().empty() && steps < 400)
     {
-      asked(*of, ++steps * 2.5e-6 * base::Voigt::Unit(0));
+      requested(*of, ++steps * 2.5e-6 * base::Voigt::Unit(0));
       of->commit();
     }
   INFO(of->end_of_validity());

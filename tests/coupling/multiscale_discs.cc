@@ -54,7 +54,7 @@ TEST_CASE("cells of discs: in the plane they have the stiffness of the static so
   const base::Voigt exact  = D * strain;
   for (const fem::Plane plane : {fem::Plane::strain, fem::Plane::stress})
     {
-      const auto answer = asked(*plane_point(plane), strain);
+      const auto answer = requested(*plane_point(plane), strain);
       CHECK((answer.stress - exact).norm() < 1e-10 * exact.norm());
       CHECK(answer.stress.segment<3>(2).isZero(0));
       for (const int r : {0, 1, 5})
@@ -73,16 +73,16 @@ TEST_CASE("cells of discs: the tangent is the derivative while links damage, and
       coupling::CellPoints of(p, fem::Plane::strain);
       of.allocate(1);
       of.place(std::vector<fem::GatheredPoints::Site>(1), {true, large, ""});
-      asked(of, in_plane(1.6e-4, -3e-5, 5e-5));
+      requested(of, in_plane(1.6e-4, -3e-5, 5e-5));
       of.commit();
       CHECK(of.promoted() == 1);
       const base::Voigt strain = in_plane(1.8e-4, -3e-5, 6e-5);
-      const auto        answer = asked(of, strain);
+      const auto        answer = requested(of, strain);
       CHECK(of.dissipated(0, {}).damage > 0);
       base::Stiffness D = answer.tangent;
       for (const int c : {0, 1, 5})
-        D.col(c) = (asked(of, strain + 1e-9 * base::Voigt::Unit(c), false).stress -
-                    asked(of, strain - 1e-9 * base::Voigt::Unit(c), false).stress) /
+        D.col(c) = (requested(of, strain + 1e-9 * base::Voigt::Unit(c), false).stress -
+                    requested(of, strain - 1e-9 * base::Voigt::Unit(c), false).stress) /
                    2e-9;
       CHECK(relative_difference(answer.tangent, D) < 1e-6);
       CHECK(answer.stress.segment<3>(2).norm() < 1e-12 * answer.stress.norm());
@@ -94,7 +94,7 @@ TEST_CASE("cells of discs: one that is pulled apart localises across the pull, i
   const auto of = plane_point(fem::Plane::stress, false, coupling::Localised::stop);
   for (int i = 1; i <= 400 && of->localisations().empty(); ++i)
     {
-      asked(*of, in_plane(5e-6 * i, -1e-6 * i, 0));
+      requested(*of, in_plane(5e-6 * i, -1e-6 * i, 0));
       of->commit();
     }
   REQUIRE(of->localisations().size() == 1);

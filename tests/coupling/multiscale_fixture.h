@@ -53,7 +53,7 @@ namespace multiscale
     return (base::Voigt() << 1.0, -0.3, 0.2, 0.4, -0.2, 0.5).finished() * size;
   }
 
-  inline fem::PointAnswer asked(coupling::CellPoints &of, const base::Voigt &strain, const bool with_tangent = true)
+  inline fem::PointAnswer requested(coupling::CellPoints &of, const base::Voigt &strain, const bool with_tangent = true)
   {
     fem::PointAnswer answer;
     of.evaluate(0, strain, fem::ElementExtent::uniform(1), with_tangent, answer);

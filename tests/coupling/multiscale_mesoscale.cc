@@ -33,35 +33,21 @@ namespace
     return dem::CpmMaterials({{"mortar", concrete(), 0}, {"aggregate", aggregate, 0}});
   }
 
-  dem::ContactBondParameters contact_bonds()
+  /** Of a law with bonds. @param modulus [Pa] */
+  template <typename Parameters>
+  Parameters bonds(const double modulus)
   {
-    dem::ContactBondParameters p;
-    p.effective_modulus    = 25e9;
+    Parameters p;
+    p.effective_modulus    = modulus;
     p.tensile_strength     = 3e6;
     p.cohesion             = 6e6;
     p.friction_coefficient = 0.5;
     return p;
   }
 
-  dem::ParallelBondParameters parallel_bonds()
-  {
-    dem::ParallelBondParameters p;
-    p.effective_modulus    = 15e9;
-    p.tensile_strength     = 3e6;
-    p.cohesion             = 6e6;
-    p.friction_coefficient = 0.5;
-    return p;
-  }
-
-  dem::FlatJointParameters flat_joints()
-  {
-    dem::FlatJointParameters p;
-    p.effective_modulus    = 25e9;
-    p.tensile_strength     = 3e6;
-    p.cohesion             = 6e6;
-    p.friction_coefficient = 0.5;
-    return p;
-  }
+  dem::ContactBondParameters  contact_bonds() { return bonds<dem::ContactBondParameters>(25e9); }
+  dem::ParallelBondParameters parallel_bonds() { return bonds<dem::ParallelBondParameters>(15e9); }
+  dem::FlatJointParameters    flat_joints() { return bonds<dem::FlatJointParameters>(25e9); }
 
   /** Part of a strain up to which the particles, solved for, answer elastically. */
   double end_of_elasticity(const coupling::PreparedCell &cell, const base::Voigt &strain)
@@ -104,12 +90,12 @@ TEST_CASE("mesoscale cells: particles take over by the strength of each pair of 
 
       auto of = points({cell});
       of->allocate(1);
-      asked(*of, 0.85 * end * at);
+      requested(*of, 0.85 * end * at);
       of->commit();
       CHECK(of->promoted() == 0);
       const base::Voigt strain  = 0.95 * end * at;
       const base::Voigt elastic = cell->stiffness() * strain;
-      CHECK((asked(*of, strain).stress - elastic).norm() < 1e-8 * elastic.norm());
+      CHECK((requested(*of, strain).stress - elastic).norm() < 1e-8 * elastic.norm());
       of->commit();
       CHECK(of->promoted() == 1);
     }
@@ -126,15 +112,15 @@ TEST_CASE("mesoscale cells: the tangent is the derivative while links of both ma
   auto of =
     points({std::make_shared<coupling::PreparedCell>(mortar_and_aggregate(), two_materials(), parameters(1e-13))});
   of->allocate(1);
-  asked(*of, mixed(2e-4));
+  requested(*of, mixed(2e-4));
   of->commit();
   const base::Voigt strain = mixed(2.2e-4);
-  const auto        answer = asked(*of, strain);
+  const auto        answer = requested(*of, strain);
   CHECK(of->dissipated(0, {}).damage > 0);
   base::Stiffness D;
   for (int c = 0; c < 6; ++c)
-    D.col(c) = (asked(*of, strain + 1e-9 * base::Voigt::Unit(c), false).stress -
-                asked(*of, strain - 1e-9 * base::Voigt::Unit(c), false).stress) /
+    D.col(c) = (requested(*of, strain + 1e-9 * base::Voigt::Unit(c), false).stress -
+                requested(*of, strain - 1e-9 * base::Voigt::Unit(c), false).stress) /
                2e-9;
   CHECK(relative_difference(answer.tangent, D) < 1e-6);
 }
@@ -153,11 +139,11 @@ TEST_CASE("cells of bonds: what bonds feel follows from the strain, until the fi
       CHECK(cell->elastic_range()->nearest(1.001 * end * at).exertion >= 0.999);
       auto of = points({cell});
       of->allocate(1);
-      asked(*of, 0.85 * end * at);
+      requested(*of, 0.85 * end * at);
       of->commit();
       const base::Voigt strain  = 0.97 * end * at;
       const base::Voigt elastic = cell->stiffness() * strain;
-      CHECK((asked(*of, strain).stress - elastic).norm() < 1e-8 * elastic.norm());
+      CHECK((requested(*of, strain).stress - elastic).norm() < 1e-8 * elastic.norm());
     }
 }
 
@@ -175,8 +161,8 @@ TEST_CASE("cells of bonds: those stiffer one way than the other are promoted fro
   const auto cell = std::make_shared<coupling::PreparedCell>(packing, parallel_bonds(), p);
   auto       of   = points({cell});
   of->allocate(1);
-  const auto pulled = asked(*of, base::Voigt(1e-6 * base::Voigt::Unit(0))),
-             pushed = asked(*of, base::Voigt(-1e-6 * base::Voigt::Unit(0)));
+  const auto pulled = requested(*of, base::Voigt(1e-6 * base::Voigt::Unit(0))),
+             pushed = requested(*of, base::Voigt(-1e-6 * base::Voigt::Unit(0)));
   CHECK(pulled.stress[0] > 0);
   CHECK(-pushed.stress[0] > 1.2 * pulled.stress[0]); // the contact in parallel pushes, and never pulls
 }
@@ -191,17 +177,17 @@ TEST_CASE(
   const auto drive = [&](const base::Voigt &from, const base::Voigt &to, const int steps) {
     for (int i = 1; i <= steps; ++i)
       {
-        asked(*of, from + i / static_cast<double>(steps) * (to - from));
+        requested(*of, from + i / static_cast<double>(steps) * (to - from));
         of->commit();
       }
   };
   const base::Voigt open = 2e-3 * base::Voigt::Unit(0), closed = -2e-4 * base::Voigt::Unit(0);
   drive(base::Voigt::Zero(), open, 40);
   CHECK(of->record(0).damage > 0.1);
-  const double softened = asked(*of, open + 1e-9 * base::Voigt::Unit(0)).tangent(0, 0);
+  const double softened = requested(*of, open + 1e-9 * base::Voigt::Unit(0)).tangent(0, 0);
   CHECK(softened < 0.2 * cell->stiffness()(0, 0));
   drive(open, closed, 40);
-  const auto pushed = asked(*of, closed - 1e-9 * base::Voigt::Unit(0));
+  const auto pushed = requested(*of, closed - 1e-9 * base::Voigt::Unit(0));
   CHECK(pushed.stress[0] < 0);
   CHECK(pushed.tangent(0, 0) > 0.3 * cell->stiffness()(0, 0)); // links that are closed push as if nothing had happened
 
@@ -210,10 +196,10 @@ TEST_CASE(
   drive(closed, sheared, 10);
   CHECK(of->cell(0)->energy().friction > before);
   // Under twice the pressure it slides under more shear.
-  const double shear = std::fabs(asked(*of, sheared).stress[5]);
+  const double shear = std::fabs(requested(*of, sheared).stress[5]);
   drive(sheared, sheared + closed, 10);
   drive(sheared + closed, sheared + closed + 5e-4 * base::Voigt::Unit(5), 10);
-  CHECK(std::fabs(asked(*of, sheared + closed + 5e-4 * base::Voigt::Unit(5)).stress[5]) > 1.2 * shear);
+  CHECK(std::fabs(requested(*of, sheared + closed + 5e-4 * base::Voigt::Unit(5)).stress[5]) > 1.2 * shear);
   const dem::CellEnergy energy = of->cell(0)->energy();
   CHECK(std::fabs(energy.residual()) < 0.03 * energy.external_work);
 }
@@ -248,7 +234,7 @@ TEST_CASE("cells with contacts: particles take over before two of them touch, an
         {
           size += of->promoted() == 0 ? 1e-5 : 2e-4;
           const base::Voigt elastic = cell->stiffness() * squeezed(size);
-          const auto        answer  = asked(*of, squeezed(size));
+          const auto        answer  = requested(*of, squeezed(size));
           const bool        just    = of->promoted() == 0;
           of->commit();
           stress[reach > 0 ? 1 : 0] = answer.stress;

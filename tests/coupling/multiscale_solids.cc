@@ -270,7 +270,7 @@ TEST_CASE(
           {
             INFO("strain " << strain << ", opening " << opening);
             REQUIRE(step > 1e-10);
-            asked(*of, (strain + step) * base::Voigt::Unit(0));
+            requested(*of, (strain + step) * base::Voigt::Unit(0));
             strain += step;
             const fem::Dissipation d = of->dissipated(0, site.element);
             of->commit();

@@ -1,4 +1,4 @@
-// What every participant of a coupling must do, asked of each in the same words.
+// Requirements on every participant of a coupling, checked of each in the same words.
 
 #include "coupling/participants/particle_participant.h"
 #include "coupling/participants/peridynamic_participant.h"

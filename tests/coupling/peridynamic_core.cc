@@ -160,7 +160,7 @@ TEST_CASE("a wave runs from elements through a peridynamic core and on, and mome
   const double   speed = std::sqrt(modulus / density), energy = strip.energy();
   const Vector3d momentum = strip.momentum();
   double         worst = 0, apart = 0, given = 0;
-  // Two bumps of half the height run apart; the right one goes through the core, and is looked at when it has.
+  // Two bumps of half the height run apart; the right one goes through the core, and is measured after that.
   while (strip.middle->time() < 0.4 / speed)
     {
       strip.handshake->advance(strip.handshake->stable_step());

@@ -112,36 +112,19 @@ TEST_CASE("spreading: a regular layer under pressure gives even stress on faces 
 
 namespace
 {
-  /** A spinning ball on its way to an edge of a free block of small elements, which it leaves again. */
-  struct Hit
+  /** On small elements. */
+  struct Hit : BallOnBlock
   {
-    Block<3>                      block;
-    dem::Specimen                 specimen;
-    coupling::ConcurrentMotion<3> both;
-
     explicit Hit(const double step_factor = 0.2)
-      : block(8)
-      , specimen(ball(0.02, {0.03, 0.062, 0.1205}, {2, -1, -5}, {40, 100, -60}, step_factor))
-      , both(specimen, block.solid, *block.motion, *block.participant)
+      : BallOnBlock(8, step_factor, spread())
+    {
+    }
+
+    static coupling::SurfaceCouplingParameters spread()
     {
       coupling::SurfaceCouplingParameters all{"block", {}, rough()};
       all.spreading = coupling::Spreading::automatic;
-      both.add_surface(all);
-    }
-    const coupling::SurfaceCoupling<3> &surface() const { return *both.surfaces().front(); }
-    const dem::Surface                 &facets() const { return specimen.surfaces().at(surface().surface()); }
-    Vector3d                            total_momentum() const { return momentum(specimen) + block.momentum(); }
-    Vector3d                            total_angular_momentum() const
-    {
-      const dem::ParticleState p = specimen.particle(0);
-      return coupling::momentum_of(*block.participant).angular + p.position.cross(p.mass * p.velocity) +
-             p.inertia * p.spin;
-    }
-    double energy() const
-    {
-      const dem::EnergyAccount e = specimen.energy();
-      const auto               s = block.motion->energy();
-      return e.kinetic + e.elastic + e.friction + e.released + s.kinetic + s.internal;
+      return all;
     }
   };
 } // namespace

@@ -11,36 +11,15 @@ using namespace block;
 
 namespace
 {
-  struct Collision
+  struct Collision : BallOnBlock
   {
-    Block<3>                      block;
-    dem::Specimen                 specimen;
-    coupling::ConcurrentMotion<3> both;
-
-    /** A spinning ball on its way to an edge of the free block, which it leaves again. */
     explicit Collision(const double step_factor = 0.2, const dem::LinearContactParameters &contact = rough())
-      : block(3)
-      , specimen(ball(0.02, {0.03, 0.062, 0.1205}, {2, -1, -5}, {40, 100, -60}, step_factor))
-      , both(specimen, block.solid, *block.motion, *block.participant)
+      : BallOnBlock(3, step_factor, {"block", {}, contact})
     {
-      both.add_surface({"block", {}, contact});
     }
-    const coupling::SurfaceCoupling<3> &surface() const { return *both.surfaces().front(); }
+
     /** Half the longest step of both. */
-    double   step() const { return 0.5 * std::min(both.solid_step(), both.particle_step()); }
-    Vector3d total_momentum() const { return momentum(specimen) + block.momentum(); }
-    Vector3d total_angular_momentum() const
-    {
-      const dem::ParticleState p = specimen.particle(0);
-      return coupling::momentum_of(*block.participant).angular + p.position.cross(p.mass * p.velocity) +
-             p.inertia * p.spin;
-    }
-    double energy() const
-    {
-      const dem::EnergyAccount e = specimen.energy();
-      const auto               s = block.motion->energy();
-      return e.kinetic + e.elastic + e.friction + e.released + s.kinetic + s.internal;
-    }
+    double step() const { return 0.5 * std::min(both.solid_step(), both.particle_step()); }
 
     /** The ball has come and gone: what one side gave the other took, and both accounts say the same. @return what was exchanged */
     coupling::SurfaceBalance parted(const double start) const
@@ -152,7 +131,7 @@ TEST_CASE(
       CHECK((c.total_angular_momentum() - turning).norm() < 1e-10 * turning.norm());
       const coupling::SurfaceBalance b = c.parted(start.norm());
       made[halved]                     = std::fabs(b.spurious() / b.work_on_particles);
-      CHECK(c.specimen.energy().balance_error() < 2e-3); // what sub-cycling makes is told, not lost
+      CHECK(c.specimen.energy().balance_error() < 2e-3); // what sub-cycling makes is reported, not lost
       CHECK(b.spurious() < 0);
       CHECK(c.energy() - first == Approx(b.spurious()).margin(2e-3 * first));
     }
@@ -189,7 +168,7 @@ TEST_CASE("surface coupling: with the solid sub-cycled momenta and power are kep
       CHECK(angular < 1e-10 * turning.norm());
       CHECK(most < 1.001 * first);
       const coupling::SurfaceBalance b = c.parted(start.norm());
-      CHECK(c.specimen.energy().balance_error() < 2e-3); // what sub-cycling makes is told, not lost
+      CHECK(c.specimen.energy().balance_error() < 2e-3); // what sub-cycling makes is reported, not lost
       CHECK(b.spurious() < 0);
       CHECK(c.energy() - first == Approx(b.spurious()).margin(2e-3 * first));
       made[halved] = b.spurious() / first;
@@ -265,7 +244,7 @@ TEST_CASE("surface coupling: checked windows keep to what may be lost where a ha
     {
       const Lost blind = lost_in(stiffer, step_factor, false), checked = lost_in(stiffer, step_factor, true);
       INFO(stiffer << " times as stiff, step factor " << step_factor << ": lost " << blind.all << ", " << checked.all);
-      CHECK(blind.all > 2 * may); // by the last window the loss of the next could not be told
+      CHECK(blind.all > 2 * may); // by the last window the loss of the next could not be known
       CHECK(blind.taken_back == 0);
       CHECK(checked.taken_back > 0);
       CHECK(std::fabs(checked.all) <= may);

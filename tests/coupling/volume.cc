@@ -14,7 +14,7 @@ using namespace volume;
 namespace
 {
   /**
-   * Of particles and nodes from a motion as a whole, over its largest velocity, after some steps. That part is looked at which changes its sign with the
+   * Of particles and nodes from a motion as a whole, over its largest velocity, after some steps. That part is measured which changes its sign with the
    * motion: a turn of elements of small displacements strains them in second order.
    */
   template <int dim>
@@ -29,8 +29,8 @@ namespace
         Bar<dim> bar(method);
         bar.set_velocity([&](const Vector3d &place) -> Vector3d { return sign * (v + spin.cross(place)); }, sign *spin);
         places.clear();
-        std::size_t next = 0;
-        const auto  look = [&](const Vector3d &place, const Vector3d &velocity) {
+        std::size_t next        = 0;
+        const auto  check_ratio = [&](const Vector3d &place, const Vector3d &velocity) {
           places.push_back(place);
           if (sign > 0)
             velocities.push_back(0.5 * velocity);
@@ -40,9 +40,9 @@ namespace
         const dem::Packing at_rest = Bar<dim>::packing();
         bar.advance(steps);
         for (std::size_t i = 0; i < bar.particles.counts().particles; ++i)
-          look(at_rest.centre[i], bar.particles.particle(i).velocity);
+          check_ratio(at_rest.centre[i], bar.particles.particle(i).velocity);
         for (std::size_t i = 0; i < bar.participant->carriers(); ++i)
-          look(bar.participant->place(i), bar.participant->velocity(i));
+          check_ratio(bar.participant->place(i), bar.participant->velocity(i));
       }
     double worst = 0, largest = 0;
     for (std::size_t k = 0; k < places.size(); ++k)

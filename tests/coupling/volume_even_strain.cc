@@ -103,7 +103,7 @@ namespace
     return D;
   }
   /**
-   * Of particles and nodes from an even motion, over its largest velocity, after some steps. That part is looked at which grows with the motion in
+   * Of particles and nodes from an even motion, over its largest velocity, after some steps. That part is measured which grows with the motion in
    * first order: bonds that turn strain in second order, and slower motions drown in the rounding of places.
    */
   template <int dim>
@@ -120,8 +120,8 @@ namespace
         Bar<dim> bar(method, options);
         bar.set_velocity([&rate](const Vector3d &place) -> Vector3d { return rate * place; }, spin_of(rate));
         bar.advance(50);
-        std::size_t next = 0;
-        const auto  look = [&](const Vector3d &place, const Vector3d &velocity) {
+        std::size_t next        = 0;
+        const auto  check_ratio = [&](const Vector3d &place, const Vector3d &velocity) {
           if (next == velocities.size())
             {
               velocities.push_back(Vector3d::Zero());
@@ -130,9 +130,9 @@ namespace
           velocities[next++] += part * velocity;
         };
         for (std::size_t i = 0; i < packing.size(); ++i)
-          look(packing.centre[i], bar.particles.particle(i).velocity);
+          check_ratio(packing.centre[i], bar.particles.particle(i).velocity);
         for (std::size_t k = 0; k < bar.participant->carriers(); ++k)
-          look(bar.participant->place(k), bar.participant->velocity(k));
+          check_ratio(bar.participant->place(k), bar.participant->velocity(k));
       }
     double worst = 0, largest = 0;
     for (std::size_t k = 0; k < wanted.size(); ++k)

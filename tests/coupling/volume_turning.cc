@@ -322,7 +322,7 @@ TEST_CASE(
       bar.advance(5);
       const double energy = bar.energy();
       bar.advance(2000);
-      CHECK(bar.energy() <= 1.1 * energy); // leapfrog tells it to second order of the step
+      CHECK(bar.energy() <= 1.1 * energy); // leapfrog has it to second order of the step
       CHECK(bar.energy() >= 0.9 * energy);
     }
 }

@@ -19,23 +19,18 @@ namespace
   using namespace held_pair;
   using held_joint::mortar;
 
-  dem::ParallelBondParameters cement()
+  template <typename Parameters>
+  Parameters bond()
   {
-    dem::ParallelBondParameters p;
+    Parameters p;
     p.effective_modulus = 10e9;
     p.tensile_strength  = 1e6;
     p.cohesion          = 2e6;
     return p;
   }
 
-  dem::ContactBondParameters spot()
-  {
-    dem::ContactBondParameters p;
-    p.effective_modulus = 10e9;
-    p.tensile_strength  = 1e6;
-    p.cohesion          = 2e6;
-    return p;
-  }
+  dem::ParallelBondParameters cement() { return bond<dem::ParallelBondParameters>(); }
+  dem::ContactBondParameters  spot() { return bond<dem::ContactBondParameters>(); }
 
   /** What a pair logs that is opened, or slips, to beyond its strength. */
   std::vector<dem::Break> logged(const int dimension, const dem::LinkMaterials &law, const bool opens)

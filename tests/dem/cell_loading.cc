@@ -114,8 +114,8 @@ TEST_CASE("a stress that the cell cannot carry ends the path and is named", "[de
   REQUIRE(test.not_reached());
   const dem::StressAtEnd &missed = test.stresses_at_ends().back();
   CHECK(missed.component == 0);
-  CHECK(missed.asked > 1e6);
-  CHECK(missed.is < 0.5 * missed.asked);
+  CHECK(missed.requested > 1e6);
+  CHECK(missed.is < 0.5 * missed.requested);
   CHECK(end.strain[0] == Approx(missed.strain).epsilon(1e-12));
   const std::int64_t steps = specimen.steps();
   test.advance(10);
@@ -199,7 +199,7 @@ TEST_CASE("a leg that is over before particles touch ends the path and names the
   const dem::StressAtEnd &missed = test.stresses_at_ends().back();
   CHECK(missed.leg == 0);
   CHECK((missed.component == 1 || missed.component == 2));
-  CHECK(missed.asked == -1e5);
+  CHECK(missed.requested == -1e5);
   CHECK(missed.is == 0);
   CHECK(missed.strain < 0);
   CHECK_FALSE(missed.at_limit);

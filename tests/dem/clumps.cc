@@ -128,19 +128,19 @@ TEST_CASE("a clump takes the momentum prescribed to its pebbles, and their angul
       clump.inertia = clump.mass * 1e-4 * Vector3d(1, 2, 3).asDiagonal();
       body.clumps().add(clump);
 
-      const std::vector<Vector3d>     asked = {{0.3, -0.1, 0}, {0.05, 0.2, 0}, {-0.1, 0.4, 0}};
-      std::vector<dem::AskedVelocity> all;
+      const std::vector<Vector3d>          requested = {{0.3, -0.1, 0}, {0.05, 0.2, 0}, {-0.1, 0.4, 0}};
+      std::vector<dem::PrescribedVelocity> all;
       for (std::size_t i = 0; i < 3; ++i)
-        all.push_back({i, asked[i], Vector3d::Zero(), {true, true, true, false, false, false}});
+        all.push_back({i, requested[i], Vector3d::Zero(), {true, true, true, false, false, false}});
       body.set_velocities(all);
       const dem::ClumpState found    = body.clumps().state(0);
       Vector3d              momentum = Vector3d::Zero(), there = momentum, turning = momentum, turns = momentum;
       for (std::size_t i = 0; i < 3; ++i)
         {
           const Vector3d rate = found.velocity + found.spin.cross(bent[i] - clump.centre);
-          momentum += mass[i] * asked[i];
+          momentum += mass[i] * requested[i];
           there += mass[i] * rate;
-          turning += mass[i] * (bent[i] - middle).cross(asked[i]);
+          turning += mass[i] * (bent[i] - middle).cross(requested[i]);
           turns += mass[i] * (bent[i] - middle).cross(rate);
           CHECK((body.particles().velocity[i] - rate).norm() < 1e-13);
         }
@@ -158,13 +158,13 @@ TEST_CASE("a clump of which one component of a turn is prescribed turns as a who
   const Vector3d spin(0, 0, 80);
   for (const bool by_spin : {false, true})
     {
-      dem::Specimen                   body   = with_clump(bent, loose(3));
-      const Vector3d                  centre = body.clumps().state(0).position;
-      std::vector<dem::AskedVelocity> asked;
+      dem::Specimen                        body   = with_clump(bent, loose(3));
+      const Vector3d                       centre = body.clumps().state(0).position;
+      std::vector<dem::PrescribedVelocity> requested;
       for (std::size_t i = 0; i < 3; ++i)
-        asked.push_back(by_spin ? dem::AskedVelocity{i, {}, spin, {false, false, false, false, false, true}} :
-                                  dem::AskedVelocity{i, spin.cross(bent[i] - centre), {}, {false, true}});
-      body.set_velocities(asked);
+        requested.push_back(by_spin ? dem::PrescribedVelocity{i, {}, spin, {false, false, false, false, false, true}} :
+                                      dem::PrescribedVelocity{i, spin.cross(bent[i] - centre), {}, {false, true}});
+      body.set_velocities(requested);
       CHECK((body.clumps().state(0).spin - spin).norm() < 1e-12 * spin.norm());
       CHECK(body.clumps().state(0).velocity.norm() < 1e-13);
     }

@@ -173,7 +173,7 @@ TEST_CASE("the largest turn of a particle in a step is noted", "[dem]")
   dem::Specimen body(walls::balls({{0, 0, 0}, {0.1, 0, 0}}, 0.01), walls::loose(), walls::contact());
   body.set_velocity(1, Eigen::Vector3d::Zero(), {3, 4, 0});
   body.advance(99);
-  CHECK(body.counts().largest_turn == 0); // not looked at yet
+  CHECK(body.counts().largest_turn == 0); // not checked yet
   body.advance(1);
   CHECK(body.counts().largest_turn == Approx(5 * body.time_step()).epsilon(1e-12));
 }

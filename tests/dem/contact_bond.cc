@@ -16,38 +16,14 @@ namespace
 {
   using namespace held_pair;
 
-  dem::ContactBondParameters glue()
-  {
-    dem::ContactBondParameters p;
-    p.effective_modulus    = 10.38e9;
-    p.stiffness_ratio      = 2.5;
-    p.friction_coefficient = 0.21;
-    p.tensile_strength     = 0.29e6;
-    p.cohesion             = 1.98e6;
-    return p;
-  }
+  dem::ContactBondParameters glue() { return bond_of_mortar<dem::ContactBondParameters>(); }
 } // namespace
 
 TEST_CASE("contact bond in tension breaks at its strength and then carries nothing (T1)", "[dem][laws]")
 {
   for (const int dimension : {2, 3})
     for (const double angle : {0.0, 2.0})
-      {
-        const auto   law      = glue();
-        const double strength = law.tensile_strength * section(dimension);
-        const double opening  = law.tensile_strength / law.effective_modulus * 2 * R;
-        HeldPair     pair(dimension, law, angle);
-        const int    steps = 1000;
-        pair.drive(opening, 0, 0, steps);
-        pair.specimen.advance(steps / 2 + 1);
-        CHECK(pair.pull() == Approx(0.5 * strength).epsilon(1e-7));
-        const Peak peak = break_it(pair, steps + 2);
-        CHECK(peak.pull <= strength * (1 + 1e-9));
-        CHECK(peak.pull >= strength * (1 - 2.0 / steps));
-        CHECK(pair.pull() == 0);
-        CHECK(pair.specimen.energy().released == Approx(0.5 * strength * opening).epsilon(3.0 / steps));
-        CHECK(pair.specimen.energy().balance_error() < 1e-6);
-      }
+      check_tension(glue(), dimension, angle);
 }
 
 TEST_CASE("contact bond in shear breaks at its cohesion, whatever presses it, and then slides at mu |F_n|",

@@ -15,7 +15,7 @@
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-// A list of neighbours is made rarely and looked at rarely; here every step is compared with all pairs there are. Two particles that
+// A list of neighbours is made rarely and visited rarely; here every step is compared with all pairs there are. Two particles that
 // fly at each other, each as fast as any, are what a bound that is too wide misses first: hence so many of equal speed.
 
 namespace
@@ -44,7 +44,7 @@ namespace
     {
     }
 
-    void look()
+    void check_all()
     {
       dem::ParticleOutput body = specimen.particles();
       base                     = Matrix3d(1e9 * Matrix3d::Identity());
@@ -177,7 +177,7 @@ namespace
     for (int n = 0; n < steps; ++n)
       {
         specimen.advance(1);
-        witness.look();
+        witness.check_all();
       }
     CHECK(witness.missed == 0);
     CHECK(witness.late == 0);
@@ -280,7 +280,7 @@ TEST_CASE("no contact of a projectile and what flies at it is missed, late or ma
       for (int n = 0; n < 600; ++n)
         {
           specimen.advance(1);
-          witness.look();
+          witness.check_all();
         }
       CHECK(witness.missed == 0);
       CHECK(witness.late == 0);

@@ -45,7 +45,7 @@ namespace
     return {{"flow", flow}, {"curved", curved}, {"damage", damage}, {"slip", slip}, {"pressed", pressed}, {"all", all}};
   }
 
-  /** One link in space, led along a smooth random way in a tenth of a second. */
+  /** One link in space, driven along a smooth random way in a tenth of a second. */
   struct OneLink
   {
     explicit OneLink(const dem::CpmParameters &p)
@@ -166,12 +166,12 @@ TEST_CASE("CPM options: the tangent is the derivative of the update where no tim
       for (int trial = 0; trial < 100; ++trial)
         {
           OneLink    link(p);
-          const auto led = [&](const double size) {
+          const auto driven = [&](const double size) {
             link.advance(size * (2 * random() - 1), size * Vector3d(0, 2 * random() - 1, 2 * random() - 1), 0);
           };
-          led(3e-4);
+          driven(3e-4);
           const OneLink start = link;
-          led(3e-4);
+          driven(3e-4);
           const auto answer_at = [&](const Vector3d &change) {
             OneLink moved = start;
             moved.advance(link.step.geometry.strain + change[0],

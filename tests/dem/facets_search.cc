@@ -1,4 +1,4 @@
-// Which facets are near which spheres: none is missed, nothing is looked at in vain, and the cost is linear.
+// Which facets are near which spheres: none is missed, nothing is visited in vain, and the cost is linear.
 #include "facets_fixture.h"
 
 #include <catch2/catch.hpp>
@@ -46,7 +46,7 @@ TEST_CASE("no sphere that touches a facet is missed, whatever moves and whatever
       packing.radius.push_back(0.002 * std::pow(10.0, random())); // a decade of sizes
     }
   dem::SpecimenParameters p = loose();
-  p.physics.contacts        = false; // they pass through each other: the walls are what is looked at
+  p.physics.contacts        = false; // they pass through each other: the walls are tested
   dem::Specimen specimen(packing, p, contact(0, 1e4));
   // A net of small facets that is driven, a large plate that turns, a mast of slivers, a box around all.
   const auto net = specimen.surfaces().add(
@@ -76,7 +76,7 @@ TEST_CASE("no sphere that touches a facet is missed, whatever moves and whatever
   CHECK(specimen.surfaces().searches()[0] < 1000); // of 4000 steps
 }
 
-TEST_CASE("nothing is looked at while nothing can touch", "[dem][facets]")
+TEST_CASE("no pair is visited while nothing can touch", "[dem][facets]")
 {
   std::vector<Vector3d> centres;
   for (int i = 0; i < 100; ++i)

@@ -21,20 +21,20 @@ namespace
     /** Of a contact at the nearest point. */
     dem::ContactZone zone(const Vector3d &centre) const
     {
-      const double                look = dem::Footprint::reach * radius;
+      const double                search = dem::Footprint::reach * radius;
       std::vector<dem::NearPoint> near;
       for (std::size_t f = 0; f < mesh.size(); ++f)
         {
           const dem::FacetPoint point = dem::closest_on_facet(mesh, place, f, centre);
           const double          d     = (point.place - centre).norm();
-          if (d < look)
+          if (d < search)
             near.push_back({static_cast<std::int32_t>(f), point, d, (point.place - centre) / d});
         }
       footprint.keep_own(mesh, place, centre, near);
       dem::ZoneRoom room;
-      dem::contact_zones(near, centre, look, room);
+      dem::contact_zones(near, centre, search, room);
       dem::ContactZone zone = *room.zones.begin();
-      zone.overlap -= look - radius;
+      zone.overlap -= search - radius;
       return zone;
     }
 

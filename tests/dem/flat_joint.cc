@@ -33,23 +33,7 @@ TEST_CASE("flat joint in tension breaks in all elements at once at its strength 
 {
   for (const int dimension : {2, 3})
     for (const double angle : {0.0, 2.0})
-      {
-        const auto   law      = mortar();
-        const double strength = law.tensile_strength * section(dimension);
-        const double opening  = law.tensile_strength / law.effective_modulus * 2 * R;
-        HeldPair     pair(dimension, law, angle);
-        const int    steps = 1000;
-        pair.drive(opening, 0, 0, steps);
-        pair.specimen.advance(steps / 2 + 1);
-        CHECK(pair.pull() == Approx(0.5 * strength).epsilon(1e-7));
-        const Peak peak = break_it(pair, steps + 2);
-        CHECK(peak.pull <= strength * (1 + 1e-9));
-        CHECK(peak.pull >= strength * (1 - 2.0 / steps));
-        CHECK(pair.specimen.counts().broken == 1);
-        CHECK(pair.pull() == 0);
-        CHECK(pair.specimen.energy().released == Approx(0.5 * strength * opening).epsilon(3.0 / steps));
-        CHECK(pair.specimen.energy().balance_error() < 1e-6);
-      }
+      check_tension(mortar(), dimension, angle);
 }
 
 TEST_CASE("flat joint bent about its middle cracks at the closed form, and goes on as its crack does (T3)",

@@ -90,7 +90,7 @@ TEST_CASE("unbalanced ratio is the mean resultant over the mean sum of contact f
 TEST_CASE("a packing grows to its stress, in balance, with its energy accounted for", "[slow]")
 {
   constexpr std::uint64_t seeds    = 8;
-  double                  porosity = 0; // scatters by 0.002: its mean tells more than any one
+  double                  porosity = 0; // scatters by 0.002: its mean says more than any one
   for (std::uint64_t seed = 1; seed <= seeds; ++seed)
     {
       dem::GenesisParameters p = mortar(0.02, 0.03, seed);
@@ -115,7 +115,7 @@ TEST_CASE("a packing grows to its stress, in balance, with its energy accounted 
 TEST_CASE("floaters get the radii that make them part of the packing, whose stress and mean diameter stay", "[slow]")
 {
   // Potyondy and Cundall (2004): at most one in a hundred is left. Of one size nearly a crystal, of four mostly small ones between large.
-  // Of one size about half of the packings of a window as small as this end with more, and say so: those are not looked at.
+  // Of one size about half of the packings of a window as small as this end with more, and say so: those are left out.
   int ended = 0;
   for (const dem::GenesisParameters &p :
        {mortar_of({1.68e-3}, 0.03, 0.04, 1), mortar_of({1.68e-3}, 0.03, 0.04, 2), mortar_of({1.68e-3}, 0.03, 0.04, 3),
@@ -160,7 +160,7 @@ TEST_CASE("without a stress to come to, floaters alone get other radii, and the 
   const std::vector<double> radii  = genesis.packing().radius;
   const auto                stayed = std::count_if(radii.begin(), radii.end(), [&](const double r) {
     return std::any_of(p.radii.begin(), p.radii.end(),
-                                      [r](const double asked) { return r == Approx(asked).epsilon(1e-9); });
+                                      [r](const double requested) { return r == Approx(requested).epsilon(1e-9); });
   });
   CHECK(static_cast<double>(stayed) > (1 - 1.5 * before.floaters) * static_cast<double>(radii.size()));
 }
@@ -237,7 +237,7 @@ TEST_CASE("a genesis goes on from any saved state to the same bits, which saving
   p.floater_rounds = 2;
   p.solve_steps    = 2000;
   dem::Genesis whole(p), unsaved(p);
-  int          looks = 0;
+  int          samples = 0;
   while (!whole.finished())
     {
       MemoryState saved;
@@ -254,9 +254,9 @@ TEST_CASE("a genesis goes on from any saved state to the same bits, which saving
       CHECK(same(unsaved.packing(), whole.packing()));
       CHECK(again.now() == whole.now());
       CHECK(same(again.packing(), whole.packing()));
-      ++looks;
+      ++samples;
     }
-  CHECK(looks > 5);
+  CHECK(samples > 5);
   CHECK(whole.reports().size() == 4);
 }
 

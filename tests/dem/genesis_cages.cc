@@ -44,7 +44,7 @@ TEST_CASE("inscribed: walls hold as spheres do, and what nothing holds on one si
   const double root = std::sqrt(2.0);
   CHECK(disc->radius == Approx((2 * root - 1) / (1 + root)).epsilon(1e-12));
   CHECK(disc->centre.x() == Approx(disc->radius).epsilon(1e-12));
-  CHECK(!dem::inscribed_sphere(corner, 2, {0.5, 0.6, 0}, 0.1)); // further away than asked for
+  CHECK(!dem::inscribed_sphere(corner, 2, {0.5, 0.6, 0}, 0.1)); // further away than allowed
   CHECK(!dem::inscribed_sphere({sphere({0, 0, 0}, 1), sphere({3, 0, 0}, 1)}, 2, {1.5, 0, 0}, 1));
   // Three on the same side touch a circle that could slip out.
   CHECK(!dem::inscribed_sphere({sphere({-2.2, 0, 0}, 1), sphere({0, 0.1, 0}, 1), sphere({2.2, 0, 0}, 1)}, 2,

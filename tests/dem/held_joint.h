@@ -14,14 +14,9 @@ namespace held_joint
 
   inline dem::FlatJointParameters mortar(const int elements = 4)
   {
-    dem::FlatJointParameters p;
-    p.effective_modulus    = 10.38e9;
-    p.stiffness_ratio      = 2.5;
-    p.friction_coefficient = 0.21;
-    p.tensile_strength     = 0.29e6;
-    p.cohesion             = 1.98e6;
-    p.friction_angle       = 20.7;
-    p.elements             = elements;
+    auto p           = bond_of_mortar<dem::FlatJointParameters>();
+    p.friction_angle = 20.7;
+    p.elements       = elements;
     return p;
   }
 

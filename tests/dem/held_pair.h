@@ -25,6 +25,19 @@ namespace held_pair
     return p;
   }
 
+  /** What laws with bonds have in common, of one mortar. */
+  template <typename Parameters>
+  Parameters bond_of_mortar()
+  {
+    Parameters p;
+    p.effective_modulus    = 10.38e9;
+    p.stiffness_ratio      = 2.5;
+    p.friction_coefficient = 0.21;
+    p.tensile_strength     = 0.29e6;
+    p.cohesion             = 1.98e6;
+    return p;
+  }
+
   inline double section(const int dimension) { return dimension == 2 ? 2 * R * thickness : pi * R * R; }
   inline double second_moment(const int dimension)
   {
@@ -89,5 +102,26 @@ namespace held_pair
       }
     REQUIRE(pair.intact() == 0);
     return peak;
+  }
+
+  /** T1: a bond pulled along a direction breaks at sigma_c A, releases what it has stored, and then carries nothing. */
+  template <typename Parameters>
+  void check_tension(const Parameters &law, const int dimension, const double angle)
+  {
+    const double  strength = law.tensile_strength * section(dimension);
+    const double  opening  = law.tensile_strength * 2 * R / law.effective_modulus;
+    HeldPair      pair(dimension, law, angle);
+    constexpr int steps = 1000;
+    pair.drive(opening, 0, 0, steps);
+    pair.specimen.advance(steps / 2 + 1); // forces are those of where the step began
+    CHECK(pair.pull() == Approx(0.5 * strength).epsilon(1e-7));
+    const Peak peak = break_it(pair, steps + 2);
+    CHECK(peak.pull <= strength * (1 + 1e-9));
+    CHECK(peak.pull >= strength * (1 - 2.0 / steps));
+    CHECK(pair.specimen.counts().broken == 1);
+    CHECK(pair.pull() == 0);
+    const dem::EnergyAccount energy = pair.specimen.energy();
+    CHECK(energy.released == Approx(0.5 * strength * opening).epsilon(3.0 / steps));
+    CHECK(energy.balance_error() < 1e-6);
   }
 } // namespace held_pair

@@ -13,7 +13,7 @@ using namespace homogenisation_fixture;
 // Between both states lie all published means for 500 spheres: let go 0.2 % above to 2.7 % below them, touching 2 to 7 % above. What
 // decides is how many neighbours the compaction leaves within 1.05 diameters. Spheres that are merely brought to 62.5 % from a looser
 // state, without ever being pressed together, have too few: their link density is 1.19 for 100 spheres where the published moduli
-// tell of 1.31, and their modulus is 10 % low.
+// report 1.31, and their modulus is 10 % low.
 TEST_CASE("random packings: moduli of every row of the published table", "[dem][homogenisation][slow]")
 {
   compare(dem::all_references(), "random packings: moduli of 500 spheres");

@@ -186,7 +186,7 @@ TEST_CASE("a joint all through an upright body has the section over the cosine o
       }
 }
 
-TEST_CASE("random joints come to the intensity asked, and to Fisher's mean direction", "[dem][joints]")
+TEST_CASE("random joints come to the prescribed intensity, and to Fisher's mean direction", "[dem][joints]")
 {
   dem::JointNetwork network;
   network.upper     = {1, 1, 1};

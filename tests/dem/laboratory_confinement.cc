@@ -22,19 +22,19 @@ using namespace laboratory;
 
 TEST_CASE("servo walls and a membrane hold their pressure, and both find the same modulus", "[dem][laboratory][slow]")
 {
-  const double       pressure = 2e6;
-  dem::LabParameters asked    = between_platens(0.01);
-  asked.test                  = Test::confined;
-  asked.gain                  = 0.5;
-  asked.pressure              = pressure;
-  asked.largest_speed         = 0.05;
-  asked.stop_strain           = 3e-4;
-  double E[2]                 = {0, 0};
+  const double       pressure  = 2e6;
+  dem::LabParameters requested = between_platens(0.01);
+  requested.test               = Test::confined;
+  requested.gain               = 0.5;
+  requested.pressure           = pressure;
+  requested.largest_speed      = 0.05;
+  requested.stop_strain        = 3e-4;
+  double E[2]                  = {0, 0};
   for (const auto how : {dem::LabParameters::Confinement::walls, dem::LabParameters::Confinement::membrane})
     {
-      asked.confinement = how;
+      requested.confinement = how;
       INFO("confinement " << static_cast<int>(how));
-      Run run(crystal(40, 20), discs(), strong(), asked);
+      Run run(crystal(40, 20), discs(), strong(), requested);
       run.to_end(600000);
       CHECK(run.test.notes().empty());
       const dem::TestRecord &record = run.test.record();
@@ -52,18 +52,18 @@ TEST_CASE("servo walls and a membrane hold their pressure, and both find the sam
 
 TEST_CASE("triaxial walls hold a cube of spheres at a pressure from all sides", "[dem][laboratory][slow]")
 {
-  dem::SpecimenParameters p = discs();
-  p.physics.dimension       = 3;
-  p.thickness               = 0;
-  dem::LabParameters asked  = between_platens(0.1);
-  asked.test                = Test::confined;
-  asked.press.axis          = 2;
-  asked.pressure            = 1e6;
-  asked.largest_speed       = 0.05;
+  dem::SpecimenParameters p    = discs();
+  p.physics.dimension          = 3;
+  p.thickness                  = 0;
+  dem::LabParameters requested = between_platens(0.1);
+  requested.test               = Test::confined;
+  requested.press.axis         = 2;
+  requested.pressure           = 1e6;
+  requested.largest_speed      = 0.05;
   for (const auto how : {dem::LabParameters::Confinement::walls, dem::LabParameters::Confinement::membrane})
     {
-      asked.confinement = how;
-      Run run(cluster::cubic_lattice(6, 6, 8, R), p, strong(), asked);
+      requested.confinement = how;
+      Run run(cluster::cubic_lattice(6, 6, 8, R), p, strong(), requested);
       run.to_end(400000);
       CHECK(run.test.notes().empty());
       CHECK(run.test.record().at(0, dem::TestRecord::stress) == Approx(1e6).epsilon(0.05));
@@ -102,33 +102,33 @@ namespace
 
   dem::LabParameters in_a_jacket(const double pressure)
   {
-    dem::LabParameters asked = between_platens(0.02);
-    asked.test               = Test::confined;
-    asked.confinement        = dem::LabParameters::Confinement::cylinder;
-    asked.press.axis         = 2;
-    asked.press.smoothing    = 0.2 * R;
-    asked.pressure           = pressure;
-    asked.largest_speed      = 0.3;
-    asked.gain               = 0.5;
-    asked.rest               = 1e-3;
-    asked.stop_strain        = 5e-4;
-    return asked;
+    dem::LabParameters requested = between_platens(0.02);
+    requested.test               = Test::confined;
+    requested.confinement        = dem::LabParameters::Confinement::cylinder;
+    requested.press.axis         = 2;
+    requested.press.smoothing    = 0.2 * R;
+    requested.pressure           = pressure;
+    requested.largest_speed      = 0.3;
+    requested.gain               = 0.5;
+    requested.rest               = 1e-3;
+    requested.stop_strain        = 5e-4;
+    return requested;
   }
 } // namespace
 
 TEST_CASE("a jacket of facets holds its pressure around a cylinder, which is as stiff in it as under a membrane",
           "[dem][laboratory][slow]")
 {
-  const double       pressure = 2e6;
-  const dem::Packing packing  = cylinder_of_spheres(9 * R, 28 * R);
-  dem::LabParameters asked    = in_a_jacket(pressure);
+  const double       pressure  = 2e6;
+  const dem::Packing packing   = cylinder_of_spheres(9 * R, 28 * R);
+  dem::LabParameters requested = in_a_jacket(pressure);
   double             E[2] = {0, 0}, nu[2] = {0, 0};
   for (const bool membrane : {false, true})
     {
       if (membrane)
-        asked.confinement = dem::LabParameters::Confinement::membrane;
+        requested.confinement = dem::LabParameters::Confinement::membrane;
       INFO("membrane " << membrane);
-      Run run(packing, spheres(), strong(), asked);
+      Run run(packing, spheres(), strong(), requested);
       run.to_end(600000);
       CHECK(run.test.notes().empty());
       const dem::TestRecord &record = run.test.record();
@@ -168,11 +168,11 @@ TEST_CASE("a jacket of facets holds its pressure around a cylinder, which is as 
 
 TEST_CASE("a jacket goes around cylinders only, and in space only", "[dem][laboratory]")
 {
-  dem::LabParameters asked = in_a_jacket(1e6);
-  CHECK_THROWS_WITH(Run(cluster::cubic_lattice(6, 6, 8, R), spheres(), strong(), asked),
+  dem::LabParameters requested = in_a_jacket(1e6);
+  CHECK_THROWS_WITH(Run(cluster::cubic_lattice(6, 6, 8, R), spheres(), strong(), requested),
                     Catch::Contains("would touch the edges only"));
-  asked.press.axis = 1;
-  CHECK_THROWS_WITH(Run(crystal(6, 4), discs(), strong(), asked), Catch::Contains("no cylinder"));
+  requested.press.axis = 1;
+  CHECK_THROWS_WITH(Run(crystal(6, 4), discs(), strong(), requested), Catch::Contains("no cylinder"));
 }
 
 TEST_CASE("tests of the laboratory have the same bits with any threads and after a restart", "[dem][laboratory][slow]")
@@ -180,27 +180,27 @@ TEST_CASE("tests of the laboratory have the same bits with any threads and after
   for (const char *const how : {"platens", "membrane", "jacket"})
     {
       const bool         membrane = how == std::string("membrane"), jacket = how == std::string("jacket");
-      dem::LabParameters asked = between_platens(0.3);
+      dem::LabParameters requested = between_platens(0.3);
       if (jacket)
         {
-          asked               = in_a_jacket(5e5);
-          asked.ramp_steps    = 300;
-          asked.largest_speed = 1;
+          requested               = in_a_jacket(5e5);
+          requested.ramp_steps    = 300;
+          requested.largest_speed = 1;
         }
-      asked.speed           = jacket ? 1.5 : 0.3;
-      asked.stop_strain     = 0.02;
-      asked.press.smoothing = 0.2 * R;
+      requested.speed           = jacket ? 1.5 : 0.3;
+      requested.stop_strain     = 0.02;
+      requested.press.smoothing = 0.2 * R;
       if (membrane)
         {
-          asked.test        = Test::confined;
-          asked.confinement = dem::LabParameters::Confinement::membrane;
-          asked.pressure    = 5e5;
+          requested.test        = Test::confined;
+          requested.confinement = dem::LabParameters::Confinement::membrane;
+          requested.pressure    = 5e5;
         }
       if (membrane || jacket)
-        asked.rest = 1e-2;
+        requested.rest = 1e-2;
       const auto made = [&] {
-        return jacket ? std::make_unique<Run>(cylinder_of_spheres(5 * R, 12 * R), spheres(), weak(), asked) :
-                        std::make_unique<Run>(crystal(10, 8, 0.05), discs(), weak(), asked);
+        return jacket ? std::make_unique<Run>(cylinder_of_spheres(5 * R, 12 * R), spheres(), weak(), requested) :
+                        std::make_unique<Run>(crystal(10, 8, 0.05), discs(), weak(), requested);
       };
       const auto state_of = [](Run &run) {
         MemoryState         memory;

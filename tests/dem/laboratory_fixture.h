@@ -76,9 +76,9 @@ namespace laboratory
     Run(const dem::Packing            &packing,
         const dem::SpecimenParameters &p,
         const dem::LinkMaterials      &law,
-        const dem::LabParameters      &asked)
+        const dem::LabParameters      &requested)
       : body(packing, p, law)
-      , test(body, asked)
+      , test(body, requested)
     {
     }
     void advance(const std::int64_t steps)

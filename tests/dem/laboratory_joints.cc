@@ -81,9 +81,9 @@ namespace
   double strength_at(const double dip, const dem::SmoothJointParameters &joint)
   {
     const JointedColumn body(20, 46, dip, joint);
-    dem::LabParameters  asked = between_platens(0.01);
-    asked.stop_strain         = 4 * stress_of_slip(dip, joint) / modulus;
-    Run run(body.column, discs(), body.law(), asked);
+    dem::LabParameters  requested = between_platens(0.01);
+    requested.stop_strain     = 4 * stress_of_slip(dip, joint) / modulus;
+    Run run(body.column, discs(), body.law(), requested);
     run.to_end(2000000);
     CHECK(run.body.energy().friction > 0);
     CHECK(run.body.energy().balance_error() < 1e-3);

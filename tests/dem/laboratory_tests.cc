@@ -24,8 +24,8 @@ using namespace laboratory;
 TEST_CASE("hexagonal crystal between platens has the modulus and Poisson's ratio of the closed form (T8)",
           "[dem][laboratory][slow]")
 {
-  dem::LabParameters asked = between_platens(0.005);
-  Run                run(crystal(61, 31), discs(), strong(), asked);
+  dem::LabParameters requested = between_platens(0.005);
+  Run                run(crystal(61, 31), discs(), strong(), requested);
   run.to_end(200000);
   const dem::TestFigures found = run.test.figures();
   REQUIRE(found.gauge_modulus.found);
@@ -44,10 +44,10 @@ TEST_CASE("hexagonal crystal between platens has the modulus and Poisson's ratio
 
 TEST_CASE("crystal pulled by glued platens has the same modulus", "[dem][laboratory][slow]")
 {
-  dem::LabParameters asked = between_platens(0.02);
-  asked.test               = Test::tension;
-  asked.press.layer        = 0.5 * R;
-  Run run(crystal(41, 31), discs(), strong(), asked);
+  dem::LabParameters requested = between_platens(0.02);
+  requested.test               = Test::tension;
+  requested.press.layer        = 0.5 * R;
+  Run run(crystal(41, 31), discs(), strong(), requested);
   run.to_end(200000);
   const dem::TestFigures found = run.test.figures();
   CHECK(found.gauge_modulus.value == Approx(crystal_modulus(2.5)).epsilon(0.03));
@@ -57,13 +57,13 @@ TEST_CASE("crystal pulled by glued platens has the same modulus", "[dem][laborat
 
 TEST_CASE("beam of a crystal bends as three-point bending says, with shear", "[dem][laboratory][slow]")
 {
-  dem::LabParameters asked = between_platens(0.003);
-  asked.test               = Test::bending;
-  asked.press.along        = 0;
-  asked.press.span         = 0.18;
-  asked.press.roller       = 4e-3;
-  asked.stop_strain        = 1e-4;
-  Run run(crystal(100, 6), discs(), strong(), asked);
+  dem::LabParameters requested = between_platens(0.003);
+  requested.test               = Test::bending;
+  requested.press.along        = 0;
+  requested.press.span         = 0.18;
+  requested.press.roller       = 4e-3;
+  requested.stop_strain        = 1e-4;
+  Run run(crystal(100, 6), discs(), strong(), requested);
   run.to_end(400000);
   INFO("stress " << run.test.reading().stress << " strain " << run.test.reading().strain << " steps "
                  << run.body.steps() << " rows " << run.test.record().rows() << " gauge "
@@ -72,7 +72,7 @@ TEST_CASE("beam of a crystal bends as three-point bending says, with shear", "[d
   REQUIRE(found.gauge_modulus.found);
   // A crystal of flat joints is stiffer in bending by what its joints resist of rotation; shear makes it softer by
   // 1 + 12 E I/(kappa G A L^2) = 1 + 2.4 (1 + nu) (d/L)^2.
-  const double deep = (2 + 11 * std::sqrt(3)) * R, ratio = deep / asked.press.span;
+  const double deep = (2 + 11 * std::sqrt(3)) * R, ratio = deep / requested.press.span;
   const double E = crystal_modulus(2.5) / (1 + 2.4 * 1.176 * ratio * ratio);
   CHECK(found.gauge_modulus.value == Approx(E).epsilon(0.08));
   CHECK(run.body.energy().balance_error() < 1e-3);
@@ -89,11 +89,11 @@ TEST_CASE("disk between platens grows wider at its middle as an elastic disk doe
         disk.centre.push_back(whole.centre[i]);
         disk.radius.push_back(whole.radius[i]);
       }
-  dem::LabParameters asked = between_platens(0.005);
-  asked.test               = Test::splitting;
-  asked.press.smoothing    = 0.4 * R;
-  asked.stop_strain        = 2e-4;
-  Run run(disk, discs(), strong(), asked);
+  dem::LabParameters requested = between_platens(0.005);
+  requested.test               = Test::splitting;
+  requested.press.smoothing    = 0.4 * R;
+  requested.stop_strain        = 2e-4;
+  Run run(disk, discs(), strong(), requested);
   run.to_end(400000);
   // Hondros, Aust. J. Appl. Sci. 10 (1959) 243: pressure p on arcs of half angle a at either platen; on the diameter across the load,
   // r = 2x/D, f = (1 - r^2) sin 2a/(1 + 2 r^2 cos 2a + r^4), g = atan((1 - r^2)/(1 + r^2) tan a): sigma_x = 2p/pi (f - g), sigma_y =
@@ -137,10 +137,10 @@ TEST_CASE("disk between platens grows wider at its middle as an elastic disk doe
 
 TEST_CASE("what is cut off at platens touches without force until they move", "[dem][laboratory]")
 {
-  dem::LabParameters asked = between_platens(0.02);
-  asked.press.smoothing    = 0.4 * R;
-  dem::Packing rough       = crystal(12, 6, 0.1);
-  Run          run(rough, discs(), weak(), asked);
+  dem::LabParameters requested = between_platens(0.02);
+  requested.press.smoothing    = 0.4 * R;
+  dem::Packing rough           = crystal(12, 6, 0.1);
+  Run          run(rough, discs(), weak(), requested);
   run.body.partners().find_surface_forces();
   CHECK(run.body.surfaces().at(0).total_force.norm() == 0);
   CHECK(run.body.surfaces().at(1).total_force.norm() == 0);
@@ -161,22 +161,22 @@ TEST_CASE("what is cut off at platens touches without force until they move", "[
 TEST_CASE("platens stand where they are placed, and particles that reach through are cut off whatever the depth",
           "[dem][laboratory]")
 {
-  dem::LabParameters asked  = between_platens(0.02);
-  dem::Packing       rough  = crystal(12, 6, 0.1);
-  const int          axis   = asked.press.axis;
+  dem::LabParameters requested = between_platens(0.02);
+  dem::Packing       rough     = crystal(12, 6, 0.1);
+  const int          axis      = requested.press.axis;
   double             lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
   for (std::size_t i = 0; i < rough.size(); ++i)
     {
       lowest  = std::min(lowest, rough.centre[i][axis] - rough.radius[i]);
       highest = std::max(highest, rough.centre[i][axis] + rough.radius[i]);
     }
-  asked.press.stand = {lowest + 0.3 * R, highest - 0.2 * R};
+  requested.press.stand = {lowest + 0.3 * R, highest - 0.2 * R};
   dem::Specimen    body(rough, discs(), weak());
-  const dem::Press press(body, asked.press);
+  const dem::Press press(body, requested.press);
   CHECK(press.planes().low == lowest + 0.3 * R);
   CHECK(press.planes().high == highest - 0.2 * R);
   CHECK(press.height() == Approx(highest - lowest - 0.5 * R).epsilon(1e-12));
-  Run run(rough, discs(), weak(), asked);
+  Run run(rough, discs(), weak(), requested);
   run.body.partners().find_surface_forces();
   CHECK(run.body.surfaces().at(0).total_force.norm() == 0);
   CHECK(run.body.surfaces().at(1).total_force.norm() == 0);
@@ -186,10 +186,10 @@ TEST_CASE("platens stand where they are placed, and particles that reach through
 
 TEST_CASE("a specimen that still grows wider is not at rest, whatever its forces", "[dem][laboratory]")
 {
-  dem::LabParameters asked = between_platens(0.02);
-  asked.seating_stress     = 1e3;
-  asked.rest               = 1; // any force will do
-  Run          run(crystal(12, 8), discs(), strong(), asked);
+  dem::LabParameters requested = between_platens(0.02);
+  requested.seating_stress     = 1e3;
+  requested.rest               = 1; // any force will do
+  Run          run(crystal(12, 8), discs(), strong(), requested);
   const auto   particles = run.body.particles();
   const double middle = dem::BodyExtent(particles).middle(0), rate = 2;
   for (std::size_t i = 0; i < particles.position.size(); ++i)
@@ -204,32 +204,32 @@ TEST_CASE("a specimen that still grows wider is not at rest, whatever its forces
 
 TEST_CASE("stress is that of the given section, and a disk's that of its diameter across the load", "[dem][laboratory]")
 {
-  dem::LabParameters asked = between_platens(0.02);
-  asked.section            = 0.03;
-  CHECK(Run(crystal(12, 6), discs(), strong(), asked).test.stress_of_force() == Approx(1 / 0.03).epsilon(1e-12));
-  asked.section.reset();
-  const Run    plain(crystal(12, 6), discs(), strong(), asked);
+  dem::LabParameters requested = between_platens(0.02);
+  requested.section            = 0.03;
+  CHECK(Run(crystal(12, 6), discs(), strong(), requested).test.stress_of_force() == Approx(1 / 0.03).epsilon(1e-12));
+  requested.section.reset();
+  const Run    plain(crystal(12, 6), discs(), strong(), requested);
   const double wide = dem::BodyExtent(plain.body.particles()).length(0);
   CHECK(plain.test.stress_of_force() == Approx(1 / wide).epsilon(1e-12));
-  asked.test = Test::splitting; // what is loaded here has flats: it is not as high as wide
-  CHECK(Run(crystal(12, 6), discs(), strong(), asked).test.stress_of_force() ==
+  requested.test = Test::splitting; // what is loaded here has flats: it is not as high as wide
+  CHECK(Run(crystal(12, 6), discs(), strong(), requested).test.stress_of_force() ==
         Approx(2 / (M_PI * wide)).epsilon(1e-12));
 }
 
 TEST_CASE("specimen loaded to a tenth of its strength and unloaded is what it was (genesis 7)",
           "[dem][laboratory][slow]")
 {
-  const auto         packing = crystal(12, 8, 0.05);
-  dem::LabParameters asked   = between_platens(0.05);
-  asked.stop_strain          = 0.02;
-  asked.press.smoothing      = 0.2 * R;
-  Run whole(packing, discs(), weak(), asked);
+  const auto         packing   = crystal(12, 8, 0.05);
+  dem::LabParameters requested = between_platens(0.05);
+  requested.stop_strain        = 0.02;
+  requested.press.smoothing    = 0.2 * R;
+  Run whole(packing, discs(), weak(), requested);
   whole.to_end(400000);
   REQUIRE(whole.test.figures().strength.found);
   const double strength = whole.test.figures().strength.value;
 
   dem::Specimen        body(packing, discs(), weak());
-  dem::PressParameters machine = asked.press;
+  dem::PressParameters machine = requested.press;
   dem::Press           press(body, machine);
   const double         per_force = whole.test.stress_of_force();
   const auto           until     = [&](const double speed, const std::function<bool()> &there) {
@@ -275,10 +275,10 @@ namespace
 
 TEST_CASE("a weak specimen breaks, and its test ends past the peak with figures", "[dem][laboratory][slow]")
 {
-  dem::LabParameters asked = between_platens(0.1);
-  asked.stop_strain        = 0.02;
-  asked.seating_stress     = 1e5;
-  Run run(crystal(14, 10, 0.05), discs(), weak(), asked);
+  dem::LabParameters requested = between_platens(0.1);
+  requested.stop_strain        = 0.02;
+  requested.seating_stress     = 1e5;
+  Run run(crystal(14, 10, 0.05), discs(), weak(), requested);
   run.to_end(400000);
   const dem::TestFigures found = run.test.figures();
   REQUIRE(found.strength.found);
@@ -301,7 +301,7 @@ TEST_CASE("a weak specimen breaks, and its test ends past the peak with figures"
   CHECK(run.body.energy().balance_error() < 1e-2);
 }
 
-TEST_CASE("a loading is static only if half the speed changes its strength little, where that was looked at",
+TEST_CASE("a loading is static only if half the speed changes its strength little, where that was checked",
           "[dem][laboratory]")
 {
   dem::QuasiStatic how;

@@ -175,7 +175,7 @@ TEST_CASE("laws by pair: pairs whose law carries no tension are not linked at th
   CHECK(specimen.energy().balance_error() < 1e-4);
 }
 
-TEST_CASE("laws by pair: contacts that are looked for in different ways are refused, and one law for all is not",
+TEST_CASE("laws by pair: contacts that are sought in different ways are refused, and one law for all is not",
           "[dem][laws]")
 {
   const auto cohesive = twice(cluster::concrete());

@@ -82,7 +82,7 @@ TEST_CASE("links between neighbours at an exact tie are the same for any transla
 
 TEST_CASE("a free lattice touches everywhere or nowhere", "[dem][neighbours]")
 {
-  // Ratio 1 asks for less than touching: no link at all, not those that rounding brings nearer.
+  // Ratio 1 means less than touching: no link at all, not those that rounding brings nearer.
   dem::NetworkParameters p = links();
   p.interaction_ratio      = 1;
   dem::UniformRandom random(6);

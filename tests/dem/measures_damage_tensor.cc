@@ -51,7 +51,7 @@ TEST_CASE("damage tensor of three links along the axes is that of table 6.1", "[
       const Eigen::Matrix3d found = dem::damage_tensor_even(links);
       REQUIRE((found - Eigen::Matrix3d(row.tensor.asDiagonal())).norm() < 1e-15);
       REQUIRE(found.trace() / 3 == Approx(row.mean).epsilon(1e-15));
-      REQUIRE_FALSE(dem::damage_tensor_fitted(links)); // three directions cannot tell six components
+      REQUIRE_FALSE(dem::damage_tensor_fitted(links)); // three directions cannot determine six components
     }
 }
 
@@ -158,7 +158,7 @@ TEST_CASE("the fit refuses directions that do not determine a tensor", "[dem][me
 
 TEST_CASE("each particle's damage tensor is over its own links", "[dem][measures]")
 {
-  // Particle 0 has 30 links that tell its tensor; each of the 30 others has one.
+  // Particle 0 has 30 links that determine its tensor; each of the 30 others has one.
   dem::UniformRandom                      random(2);
   const Eigen::Matrix3d                   tensor = random_symmetric(random);
   const auto                              links  = imposed(tensor, 30, 7);

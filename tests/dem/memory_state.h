@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-/** A run's state in memory: written by one visitor, read back by the other; a name asked for must have been written. */
+/** A run's state in memory: written by one visitor, read back by the other; a name that is read must have been written. */
 struct MemoryState
 {
   std::map<std::string, base::Column>              columns;

@@ -163,7 +163,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("sizes: drawn ones have the asked volume and the curve, and the density of each class",
+TEST_CASE("sizes: drawn ones have the requested volume and the curve, and the density of each class",
           "[dem][mesostructure]")
 {
   const GradingCurve        curve  = curve_of("l-19");

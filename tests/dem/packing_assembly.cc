@@ -119,13 +119,13 @@ TEST_CASE("an assembly under compression moves as a specimen of the same contact
   dem::Specimen                           specimen = specimen_of(start, material);
   specimen.set_velocity_gradient(strain / material.time_step * Eigen::Matrix3d::Identity());
   double highest = 0;
-  for (int look = 0; look < 26; ++look)
+  for (int sample = 0; sample < 26; ++sample)
     {
       assembly.advance(100, [&](double) { return strain; });
-      specimen.advance(look == 0 ? 101 : 100); // whose forces are those before the motion of its last step
+      specimen.advance(sample == 0 ? 101 : 100); // whose forces are those before the motion of its last step
       const double pressure = -specimen.cell().stress.trace() / 3;
       highest               = std::max(highest, pressure);
-      INFO("look " << look << ", pressure " << pressure);
+      INFO("look " << sample << ", pressure " << pressure);
       REQUIRE(assembly.measures().pressure == Approx(pressure).epsilon(0.02).margin(1e-5));
     }
   REQUIRE(highest > 0.02);

@@ -87,7 +87,7 @@ TEST_CASE("centres that are no places, or too far out to be distinguished, are r
     packing.centre[1][0] = 1e100;
     REQUIRE_THROWS_WITH(refusal(), Contains("a.txt: particle 1: ") && Contains("more than 1e9 radii from the origin"));
   }
-  SECTION("a centre so far out that the digits of its place do not tell it from its neighbours")
+  SECTION("a centre so far out that the digits of its place do not distinguish it from its neighbours")
   {
     packing.centre[1][0] = 1.9e6;
     REQUIRE_NOTHROW(refusal());

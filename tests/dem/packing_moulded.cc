@@ -25,7 +25,7 @@ namespace
 
   dem::Packing moulded(const dem::CompactionParameters &p, const Eigen::Vector3d &box)
   {
-    return dem::moulded_box(p, box, [](const auto &asked) { return dem::compact(asked); });
+    return dem::moulded_box(p, box, [](const auto &requested) { return dem::compact(requested); });
   }
 
   double packing_fraction(const dem::Packing &packing, const Eigen::Vector3d &box)

@@ -19,13 +19,8 @@ namespace
 
   dem::ParallelBondParameters mortar()
   {
-    dem::ParallelBondParameters p;
-    p.effective_modulus    = 10.38e9;
-    p.stiffness_ratio      = 2.5;
-    p.friction_coefficient = 0.21;
-    p.tensile_strength     = 0.29e6;
-    p.cohesion             = 1.98e6;
-    p.friction_angle       = 20.7;
+    auto p           = bond_of_mortar<dem::ParallelBondParameters>();
+    p.friction_angle = 20.7;
     return p;
   }
 } // namespace
@@ -34,25 +29,7 @@ TEST_CASE("parallel bond in tension breaks at its strength and then carries noth
 {
   for (const int dimension : {2, 3})
     for (const double angle : {0.0, 0.7})
-      {
-        const auto   law      = mortar();
-        const double strength = law.tensile_strength * section(dimension);
-        const double opening  = law.tensile_strength * 2 * R / law.effective_modulus; // 5.58767e-8 m
-        HeldPair     pair(dimension, law, angle);
-        const int    steps = 1000;
-        pair.drive(opening, 0, 0, steps);
-        pair.specimen.advance(steps / 2 + 1); // forces are those of where the step began
-        // The linear contact does not pull: the bond alone, E* A / l.
-        CHECK(pair.pull() == Approx(0.5 * strength).epsilon(1e-7));
-        const Peak peak = break_it(pair, steps);
-        CHECK(peak.pull <= strength * (1 + 1e-9));
-        CHECK(peak.pull >= strength * (1 - 2.0 / steps));
-        CHECK(pair.specimen.counts().broken == 1);
-        CHECK(pair.pull() == 0);
-        const dem::EnergyAccount energy = pair.specimen.energy();
-        CHECK(energy.released == Approx(0.5 * strength * opening).epsilon(3.0 / steps));
-        CHECK(energy.balance_error() < 1e-6);
-      }
+      check_tension(mortar(), dimension, angle);
   CHECK(mortar().tensile_strength * section(2) == Approx(580));
 }
 

@@ -60,7 +60,7 @@ TEST_CASE("tractions keep force and moment about the deformed body, on straight 
                 const Transfer transfer(grid, c.horizon.ratio * grid.spacing(), model, boundary_points(grid, boundary),
                                         weight, TractionForm::transfer);
                 CHECK(transfer.singular() == 0);
-                Sums                         asked, given;
+                Sums                         requested, given;
                 std::vector<Eigen::Vector3d> tractions;
                 for (const BoundaryPoint &p : transfer.points())
                   {
@@ -68,14 +68,14 @@ TEST_CASE("tractions keep force and moment about the deformed body, on straight 
                     for (int a = grid.dimension(); a < 3; ++a)
                       t[a] = 0;
                     tractions.push_back(t);
-                    asked.add(transfer.place_of(p, &u), p.area * t);
+                    requested.add(transfer.place_of(p, &u), p.area * t);
                   }
                 Field forces = grid.field();
                 transfer.add(tractions, &u, forces);
                 for (const std::size_t i : grid.nodes())
                   given.add(grid.position(i) + u.at(i), forces.at(i));
-                CHECK((given.force - asked.force).norm() < 1e-12 * asked.magnitude);
-                CHECK((given.moment - asked.moment).norm() < 1e-12 * asked.magnitude);
+                CHECK((given.force - requested.force).norm() < 1e-12 * requested.magnitude);
+                CHECK((given.moment - requested.moment).norm() < 1e-12 * requested.magnitude);
               }
           }
 }

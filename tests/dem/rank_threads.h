@@ -32,13 +32,13 @@ namespace rank_threads
     {
     }
 
-    /** Show something to the others, let each look at what all show, and go on when all have. */
-    template <typename Look>
-    void meet(const std::size_t rank, const void *thing, const Look &look)
+    /** Show something to the others, let each visit what all show, and go on when all have. */
+    template <typename Visit>
+    void meet(const std::size_t rank, const void *thing, const Visit &visit)
     {
       shown[rank] = thing;
       wait();
-      look(shown);
+      visit(shown);
       wait();
     }
     void give_up()

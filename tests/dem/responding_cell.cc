@@ -234,7 +234,7 @@ TEST_CASE("responding cell: a strain far past the peak in one call is answered i
     }
 }
 
-TEST_CASE("responding cell: once it has fallen in a step its answers are smooth, until another step is looked for",
+TEST_CASE("responding cell: once it has fallen in a step its answers are smooth, until another step is sought",
           "[dem][statics][slow]")
 {
   dem::CellResponseParameters falls = {};
@@ -266,9 +266,8 @@ TEST_CASE("responding cell: once it has fallen in a step its answers are smooth,
   CHECK(std::fabs(smooth.energy().residual()) < 0.02 * smooth.energy().external_work);
 }
 
-TEST_CASE(
-  "responding cell: where a step was taken in parts strains near by are looked for from the last, and are as good",
-  "[dem][statics]")
+TEST_CASE("responding cell: where a step was taken in parts strains near by are sought from the last, and are as good",
+          "[dem][statics]")
 {
   dem::CellResponseParameters keeps = tight();
   keeps.keeps_its_way               = true;

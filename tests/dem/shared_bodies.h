@@ -177,15 +177,15 @@ namespace shared_bodies
     box.mesh    = dem::box(Vector3d(0, 0, 0), Vector3d(0.019, 0.019, 1), {true, true, true, true, true, false});
     box.contact = grains;
     specimen.surfaces().add(box);
-    std::vector<dem::AskedVelocity> asked;
+    std::vector<dem::PrescribedVelocity> requested;
     for (std::size_t i = 0; i < packing.size(); ++i)
       {
-        asked.emplace_back();
-        asked.back().particle = i;
-        asked.back().given    = {{true, true, true, true, true, true}};
-        asked.back().velocity = Vector3d(0, 0, -4) + 2 * cluster::random_vector(random);
+        requested.emplace_back();
+        requested.back().particle = i;
+        requested.back().given    = {{true, true, true, true, true, true}};
+        requested.back().velocity = Vector3d(0, 0, -4) + 2 * cluster::random_vector(random);
       }
-    specimen.set_velocities(asked);
+    specimen.set_velocities(requested);
     return std::make_unique<Free>(std::move(specimen));
   }
 
@@ -276,7 +276,7 @@ namespace shared_bodies
   /** A block of spheres between platens under servo walls. */
   struct Confined : Body
   {
-    static dem::LabParameters asked()
+    static dem::LabParameters requested()
     {
       dem::LabParameters p = laboratory::between_platens(0.5);
       p.test               = laboratory::Test::confined;
@@ -295,7 +295,7 @@ namespace shared_bodies
       return p;
     }
     Confined()
-      : run(cluster::cubic_lattice(9, 9, 9, laboratory::R), spheres(), laboratory::weak(), asked())
+      : run(cluster::cubic_lattice(9, 9, 9, laboratory::R), spheres(), laboratory::weak(), requested())
     {
     }
     dem::Specimen &specimen() override { return run.body; }

@@ -157,7 +157,7 @@ namespace
           else
             {
               body->advance(each.steps / 2);
-              different[ranks->rank()] = differences(half, state_of(*body)); // looking at it changes nothing
+              different[ranks->rank()] = differences(half, state_of(*body)); // reading it changes nothing
             }
           body->advance(each.steps - each.steps / 2);
           damages[ranks->rank()] = body->specimen().mean_damage();

@@ -76,7 +76,7 @@ TEST_CASE("critical step of random clusters is that of their dense eigenvalues",
     for (const double ratio : {0.2, 1.0})
       for (std::uint64_t seed = 71; seed < 75; ++seed)
         {
-          const std::size_t        many = seed < 73 ? 25 : 60; // few and so many that Lanczos is asked
+          const std::size_t        many = seed < 73 ? 25 : 60; // few and so many that Lanczos is used
           const dem::ParticleShape shape{3, density, 0};
           const auto               law       = dem::LinkMaterials(with_shear_ratio(ratio)).bonds(dem::Physics());
           const dem::Packing       packing   = cluster::random_cluster(seed, many, seed % 2 ? r : 0.3 * r, r);

@@ -65,7 +65,7 @@ TEST_CASE("every link and contact answers with the modulus of the pair that it j
   dem::Specimen              specimen(packing, lively(), materials);
   std::array<std::size_t, 3> seen = {}, touching = {};
   cluster::set_colliding_velocities(specimen, 120);
-  for (int look = 0; look < 10; ++look)
+  for (int sample = 0; sample < 10; ++sample)
     {
       specimen.advance(50);
       const dem::LinkOutput links = specimen.links();

@@ -182,7 +182,7 @@ TEST_CASE("a grip holds the centres within its thickness of the outermost centre
   CHECK(dem::find_grip_layers({centre, radius}, 2, p).section == 3e-6);
 }
 
-TEST_CASE("figures and the end of a uniaxial test come from every step, however seldom it is looked at", "[dem]")
+TEST_CASE("figures and the end of a uniaxial test come from every step, however seldom it is sampled", "[dem]")
 {
   omp_set_num_threads(1);
   struct Seen

@@ -1,4 +1,4 @@
-// Points that are found together: asked by all ranks in one order, wherever their laws lie in memory.
+// Points that are found together: evaluated by all ranks in one order, wherever their laws lie in memory.
 #include "fem/points/gathered_points.h"
 #include "tests/fem/solid_fixture.h"
 

@@ -132,7 +132,7 @@ TEST_CASE("geometric multigrid: iterations do not grow with the mesh, and a stif
   CHECK(answers[0].linfty_norm() <= 1e-8 * size);
 }
 
-TEST_CASE("algebraic multigrid is told that a body may turn: a slender beam takes few iterations", "[fem]")
+TEST_CASE("algebraic multigrid has the rotations of a body: a slender beam takes few iterations", "[fem]")
 {
   fem::SolidOptions quadratic;
   quadratic.degree         = 2;
@@ -148,7 +148,7 @@ TEST_CASE("algebraic multigrid is told that a body may turn: a slender beam take
   };
   const unsigned int slender = iterations_of(10);
   INFO(slender);
-  CHECK(slender <= 40); // 28; 81 where translations alone are told
+  CHECK(slender <= 40); // 28; 81 where translations alone are given
 }
 
 TEST_CASE("large elastic problems choose geometric multigrid where it fits, and say why where not", "[fem]")

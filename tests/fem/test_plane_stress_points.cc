@@ -1,4 +1,4 @@
-// Points of a solid in plane stress, asked as a solver asks them: strain after strain from one committed history.
+// Points of a solid in plane stress, evaluated as by a solver: strain after strain from one committed history.
 #include "fem/points/material_points.h"
 #include "tests/fem/random_concrete.h"
 
@@ -29,7 +29,7 @@ namespace
       points->allocate(1);
     }
 
-    Voigt ask(const Voigt &strain)
+    Voigt response(const Voigt &strain)
     {
       points->evaluate(0, strain, fem::ElementExtent{}, false, answer);
       return answer.stress;
@@ -45,7 +45,7 @@ namespace
       Voigt       stress;
       for (int k = 1; k <= steps; ++k)
         {
-          stress = ask(from + (strain - from) * (double(k) / steps));
+          stress = response(from + (strain - from) * (double(k) / steps));
           commit();
         }
       return stress;
@@ -114,14 +114,14 @@ TEST_CASE("plane stress: 10000 random steps of a solid's points end within 2 % o
       if (random.one_in(2) && from.norm() > 0) // back to where little strain is left
         target = (target * random.between(-0.1, 0.1) + from * random.between(-0.1, 0.1)).eval();
       const double tried = random.one_in(2) ? random.between(0.2, 1.5) : 0;
-      INFO("step " << i << ", nu = " << p.poisson_ratio << ", asked first at " << tried << " of it");
+      INFO("step " << i << ", nu = " << p.poisson_ratio << ", tried first at " << tried << " of it");
       Voigt stress;
       try
         {
           point.begin_step();
           if (tried > 0) // as an iteration that ends elsewhere
-            point.ask(from + tried * (target - from));
-          stress = point.ask(target);
+            point.response(from + tried * (target - from));
+          stress = point.response(target);
         }
       catch (const fem::MaterialFailure &)
         {

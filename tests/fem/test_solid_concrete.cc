@@ -177,23 +177,25 @@ namespace
   }
 }
 
-TEST_CASE("each iteration towards equilibrium is told, with its unbalanced force over the tolerance", "[fem]")
+TEST_CASE("each iteration towards equilibrium is reported, with its unbalanced force over the tolerance", "[fem]")
 {
   WeakBar                                      bar_data(6, 0);
-  std::vector<std::pair<unsigned int, double>> told;
+  std::vector<std::pair<unsigned int, double>> reported;
   fem::NewtonOptions                           newton;
-  newton.told = [&](const unsigned int iteration, const double over) { told.emplace_back(iteration, over); };
+  newton.on_iteration = [&](const unsigned int iteration, const double over) {
+    reported.emplace_back(iteration, over);
+  };
   fem::StaticSolver<2> solver(bar_data.solid, newton);
   // Pressed to half its strength, where concrete yields, in one step.
   const fem::StepReport step = solver.advance_to(-6e-4 * bar_data.length);
   REQUIRE(step.converged);
   REQUIRE(step.iterations > 1);
-  REQUIRE(told.size() >= step.iterations);
-  for (std::size_t i = 0; i < told.size(); ++i)
-    CHECK(told[i].first == i + 1);
-  CHECK(told.front().second > 1);
-  CHECK(told.back().second <= 1);
-  CHECK(told.back().second == Approx(step.residual / newton.tolerance));
+  REQUIRE(reported.size() >= step.iterations);
+  for (std::size_t i = 0; i < reported.size(); ++i)
+    CHECK(reported[i].first == i + 1);
+  CHECK(reported.front().second > 1);
+  CHECK(reported.back().second <= 1);
+  CHECK(reported.back().second == Approx(step.residual / newton.tolerance));
 }
 
 TEST_CASE("concrete bar: the work of separation does not depend on the mesh", "[fem][slow]")
@@ -215,7 +217,7 @@ TEST_CASE("concrete bar: the weakest element opens alone, also where an iteratio
           "[fem][slow]")
 {
   // Steps that grow in the elastic part leap over the peak: all elements soften on the way, and Newton ends at a state in which two
-  // stronger ones, beside the weak one, have opened. Nothing in it but its stability tells it from the right one.
+  // stronger ones, beside the weak one, have opened. Nothing in it but its stability distinguishes it from the right one.
   using Case = std::pair<unsigned int, double>; // elements, Poisson's ratio
   for (const auto &[n, nu] : {Case{40, 0.0}, Case{40, 0.3}, Case{30, 0.2}})
     {
@@ -238,16 +240,18 @@ TEST_CASE("S5: path control follows the snap-back of a bar with one damaging ele
 
 TEST_CASE("an iteration reports its progress, down to the tolerance", "[fem]")
 {
-  std::vector<std::pair<unsigned int, double>> told;
+  std::vector<std::pair<unsigned int, double>> reported;
   fem::NewtonOptions                           newton;
-  newton.told = [&](const unsigned int iteration, const double over) { told.emplace_back(iteration, over); };
+  newton.on_iteration = [&](const unsigned int iteration, const double over) {
+    reported.emplace_back(iteration, over);
+  };
   WeakBar               bar(4, 0);
   fem::StaticSolver<2>  solver(bar.solid, newton);
   const fem::StepReport report = solver.advance_to(1e-6);
   REQUIRE(report.converged);
-  REQUIRE(told.size() == report.iterations);
-  CHECK(told.back() == std::make_pair(report.iterations, report.residual / newton.tolerance));
-  CHECK(told.back().second <= 1);
+  REQUIRE(reported.size() == report.iterations);
+  CHECK(reported.back() == std::make_pair(report.iterations, report.residual / newton.tolerance));
+  CHECK(reported.back().second <= 1);
 }
 
 TEST_CASE("relaxation: a bar that would snap back lets go to the equilibrium beyond, and says what that dissipates",

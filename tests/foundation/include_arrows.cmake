@@ -23,7 +23,7 @@ set(dem_rooms base)
 set(dem_libraries Eigen/ Spectra/ cholmod.h omp.h immintrin.h arm_neon.h)
 set(fem_rooms base)
 # Eigen carries the 6-vectors of the material points: the library that dem has too, hence no new dependency. Epetra is what
-# deal.II's own matrices are made of: to gather one on a rank, and to tell multigrid (by Teuchos_ lists) of rigid motions.
+# deal.II's own matrices are made of: to gather one on a rank, and to give multigrid (by Teuchos_ lists) the rigid motions.
 set(fem_libraries deal.II/ umfpack.h cholmod.h mpi.h Eigen/ Epetra_ Teuchos_)
 # Adapters and writers speak the types in the interfaces of both sides.
 set(coupling_rooms base dem fem)
@@ -33,7 +33,7 @@ set(postprocess_libraries deal.II/ mpi.h Eigen/ hdf5 vtk fmt/ nlohmann/)
 set(apps_rooms base dem fem coupling postprocess)
 set(apps_libraries anything)
 set(run_folders "figures|forecasts|models|process|results|runs|specimens|text")
-# The operating system (POSIX, and what the GNU C library tells of its memory) is under every room.
+# The operating system (POSIX, and what the GNU C library reports of its memory) is under every room.
 set(system_headers fcntl.h malloc.h signal.h spawn.h stdlib.h sys/ unistd.h)
 
 function(starts_with_any result text)
@@ -61,7 +61,7 @@ function(judge_own problem room header)
   elseif(file MATCHES "^(tests|apps)/statistics/" AND NOT header MATCHES "^((tests|apps)/statistics|base)/|^tests/(places|compare).h$")
     set(${problem} "statistics knows only base" PARENT_SCOPE)
   elseif(file MATCHES "^apps/(${run_folders})/" AND header MATCHES "^apps/" AND NOT header MATCHES "^apps/(${run_folders})/"
-         AND NOT header MATCHES "^apps/optimisation/")
+         AND NOT header MATCHES "^apps/(optimisation|statistics)/")
     set(${problem} "models and runs know no text of scenes" PARENT_SCOPE)
   elseif(owner IN_LIST rooms AND NOT owner IN_LIST allowed)
     set(${problem} "no arrow ${room} -> ${owner}" PARENT_SCOPE)

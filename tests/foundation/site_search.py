@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The search of the documentation, opened as a file in a browser, finds what it is asked for.
+"""The search of the documentation, opened as a file in a browser, finds what is sought.
 
     site_search.py ROOT SITE BROWSER      builds the site into SITE first
 """

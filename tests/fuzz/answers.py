@@ -8,7 +8,7 @@ import signal
 import subprocess
 import time
 
-PATIENCE = 30  # s: then it is asked to stop
+PATIENCE = 30  # s: then it is requested to stop
 LEAVE = 60  # s to answer that, on a machine that is busy
 MEMORY = 6 << 30  # bytes of address space: a model beyond must say so
 SUCCESS, FAILURE, BAD_INPUT, INTERRUPTED = 0, 1, 2, 130
@@ -64,8 +64,8 @@ def figures_without_value(node, path=""):
             yield from figures_without_value(child, f"{path}/{n}")
 
 
-def asked_for(table):
-    """A table without the column that compares with a run of all particles, which these scenes do not ask for."""
+def requested_part(table):
+    """A table without the column that compares with a run of all particles, which these scenes do not request."""
     lines = [line.split(",") for line in table.split("\n")]
     left_out = [at for at, name in enumerate(lines[0]) if name.startswith("error_against_all_particles")]
     return "\n".join(",".join(field for at, field in enumerate(line) if at not in left_out) for line in lines)
@@ -76,7 +76,7 @@ def complaint_about_results(trial, answer):
     if found := NO_NUMBER.search(answer.out):
         return f"status 0 and \"{found.group()}\" among the results"
     for file in sorted((trial.folder / "out").rglob("*.csv")):
-        if found := NO_NUMBER.search(asked_for(file.read_text("utf-8", "replace"))):
+        if found := NO_NUMBER.search(requested_part(file.read_text("utf-8", "replace"))):
             return f"status 0 and \"{found.group()}\" in {file.name}"
     if trial.expected and (trial.folder / trial.expected[0]).read_text("utf-8", "replace") != trial.expected[1]:
         return f"status 0 and a {trial.expected[0]} that is not what the undamaged file gives"

@@ -2,7 +2,7 @@
 """Gives the program damaged and senseless input of every kind, and holds it to its word: whatever is typed, it answers with a
 result or with a message.
 
-Nothing may end by a signal, a hang, "internal error", or with status 0 and nan, inf or nothing where a figure was asked
+Nothing may end by a signal, a hang, "internal error", or with status 0 and nan, inf or nothing where a figure was requested
 for. Every mutation follows from the seed and its number alone, so that what was found can be done again:
 
     fuzz.py build/release/apps/breccia --seed 7 --mutations 1000
@@ -81,8 +81,8 @@ def attempt(program, seed, number, prepared, keep):
         for words in trial.commands:
             answer = answers.Answer(program, words, folder)
             wrong = answers.complaint(trial, answer, words)
-            told = answer.err.strip().replace("\n", " | ")[-300:]
-            return trial.kind, answer, wrong, " ".join(words), told
+            said = answer.err.strip().replace("\n", " | ")[-300:]
+            return trial.kind, answer, wrong, " ".join(words), said
     finally:
         if not keep:
             shutil.rmtree(folder, ignore_errors=True)
@@ -109,12 +109,12 @@ def main():
             work = {number: pool.submit(attempt, program, options.seed, number, prepared,
                                         options.keep if options.only is not None else None) for number in numbers}
             for number, result in work.items():
-                kind, answer, wrong, command, told = result.result()
+                kind, answer, wrong, command, said = result.result()
                 statuses[answer.status] = statuses.get(answer.status, 0) + 1
                 if wrong or options.only is not None:
                     failures += 1 if wrong else 0
                     print(f"{'FAILED' if wrong else 'passed'} --seed {options.seed} --only {number} ({kind}, "
-                          f"{answer.seconds:.1f} s, status {answer.status}): {wrong}\n    breccia {command}\n    {told}", flush=True)
+                          f"{answer.seconds:.1f} s, status {answer.status}): {wrong}\n    breccia {command}\n    {said}", flush=True)
     print(f"{len(numbers)} mutations of seed {options.seed} in {time.monotonic() - started:.0f} s; ends by status: "
           + ", ".join(f"{status}: {count}" for status, count in sorted(statuses.items())) + f"; {failures} failed")
     return 1 if failures else 0

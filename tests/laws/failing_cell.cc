@@ -13,7 +13,7 @@ namespace
 {
   constexpr const char *no_energy = "the law knows no energy of this state";
 
-  /** Cohesive links whose energy cannot be told: it is first looked for when a state is committed. */
+  /** Cohesive links whose energy cannot be evaluated: it is first needed when a state is committed. */
   struct UncountedBond : dem::CpmBond<dem::DamageDriver::normal, true>
   {
     static constexpr const char *name = "uncounted";
@@ -79,12 +79,12 @@ TEST_CASE("cells: a law that fails while states are committed is reported, by on
       const auto of = multiscale::points({multiscale::prepared(uncounted())});
       of->allocate(8);
       of->gather(std::vector<base::Voigt>(8, multiscale::mixed(1.5e-4)), false);
-      REQUIRE_NOTHROW(multiscale::asked(*of, multiscale::mixed(1.5e-4), false)); // what it answers is sound
+      REQUIRE_NOTHROW(multiscale::requested(*of, multiscale::mixed(1.5e-4), false)); // what it answers is sound
       CHECK_THROWS_AS(of->commit(), base::NumericalError);
       omp_set_num_threads(1);
     }
   const auto again = multiscale::points({multiscale::prepared(uncounted())});
   again->allocate(1);
-  multiscale::asked(*again, multiscale::mixed(1.5e-4), false);
+  multiscale::requested(*again, multiscale::mixed(1.5e-4), false);
   CHECK_THROWS_WITH(again->commit(), no_energy);
 }

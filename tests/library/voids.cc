@@ -70,7 +70,7 @@ TEST_CASE("A line meets a region where one of its places lies in it", "[apps][st
             const bool            meets = widened(shape, 0).meets(one, other, dimension);
             met += meets;
             INFO(dimension << " " << int(shape) << ": " << one.transpose() << " to " << other.transpose());
-            // Places looked at are less than 0.0013 m apart, so that a region wider by 0.001 m shows all that meets this one.
+            // Sampled places are less than 0.0013 m apart, so that a region wider by 0.001 m shows all that meets this one.
             CHECK((!meets || held_somewhere(widened(shape, 0.001), one, other, dimension)));
             CHECK((meets || !held_somewhere(widened(shape, 0), one, other, dimension)));
           }

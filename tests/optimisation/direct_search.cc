@@ -69,7 +69,8 @@ TEST_CASE("search without derivatives: a smooth valley is followed, and a bound 
   CHECK(at_bound.place[1] == Approx(0.25).margin(1e-3));
 }
 
-TEST_CASE("search without derivatives: places without an answer do not end it, and it ends when told", "[optimisation]")
+TEST_CASE("search without derivatives: places without an answer do not end it, and it ends on request",
+          "[optimisation]")
 {
   const auto half = [](const Eigen::VectorXd &x) -> std::optional<Eigen::VectorXd> {
     return x[0] > 1.2 ? std::nullopt : std::optional<Eigen::VectorXd>(rippled(x));
@@ -91,7 +92,7 @@ TEST_CASE("search without derivatives: places without an answer do not end it, a
   CHECK_THROWS_AS(direct_search(endless, options), base::InputError);
 }
 
-TEST_CASE("least squares: begun with the Jacobian of a cheaper model, it asks for fewer evaluations", "[optimisation]")
+TEST_CASE("least squares: begun with the Jacobian of a cheaper model, it needs fewer evaluations", "[optimisation]")
 {
   const auto model = [](const double stiffer) {
     return [stiffer](const Eigen::VectorXd &x) -> std::optional<Eigen::VectorXd> {

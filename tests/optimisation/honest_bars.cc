@@ -78,18 +78,18 @@ TEST_CASE(
 {
   const double                        scatter = GENERATE(0.0, 0.005, 0.02);
   const bool                          known   = GENERATE(true, false);
-  optimisation::SyntheticCalibrations asked;
-  asked.model_scatter = scatter;
-  asked.known         = known;
-  const auto found    = optimisation::coverage_of(asked);
+  optimisation::SyntheticCalibrations requested;
+  requested.model_scatter = scatter;
+  requested.known         = known;
+  const auto found        = optimisation::coverage_of(requested);
   INFO("scatter " << scatter << (known ? ", deviation known" : ", deviation estimated") << ", rough " << found.rough);
   for (int k = 0; k < 3; ++k)
     {
       INFO("constant " << k + 1);
-      CHECK(found.inside[k] >= 0.92 * asked.count);
-      CHECK(found.inside[k] <= 0.98 * asked.count);
+      CHECK(found.inside[k] >= 0.92 * requested.count);
+      CHECK(found.inside[k] <= 0.98 * requested.count);
       if (known && scatter == 0.02)
-        CHECK(found.by_residuals[k] < 0.5 * asked.count);
+        CHECK(found.by_residuals[k] < 0.5 * requested.count);
     }
   if (scatter == 0)
     CHECK(found.rough == 0);

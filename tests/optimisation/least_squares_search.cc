@@ -89,15 +89,15 @@ TEST_CASE("least squares: a solution on a bound lies on it, and no place beyond 
 
 TEST_CASE("least squares: places without an answer shorten the step and do not end the search", "[optimisation]")
 {
-  int        asked  = 0;
-  const auto broken = [&asked](const Eigen::VectorXd &x) -> std::optional<Eigen::VectorXd> {
-    if (x[1] < 0.2 && ++asked) // cuts the first step off
+  int        requested = 0;
+  const auto broken    = [&requested](const Eigen::VectorXd &x) -> std::optional<Eigen::VectorXd> {
+    if (x[1] < 0.2 && ++requested) // cuts the first step off
       return std::nullopt;
     return rosenbrock(x);
   };
   const LeastSquaresFit fit = least_squares(problem_of(Eigen::Vector2d(-1.2, 1), broken, 1e-6), {});
-  CHECK(fit.failed == asked);
-  CHECK(asked > 0);
+  CHECK(fit.failed == requested);
+  CHECK(requested > 0);
   CHECK(fit.sum_of_squares() < rosenbrock(Eigen::Vector2d(-1.2, 1))->squaredNorm() / 2);
 }
 

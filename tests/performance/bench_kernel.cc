@@ -49,7 +49,7 @@ namespace
     touching,        ///< linear contacts, pressed
     elastic_spheres, ///< contacts after Hertz and Mindlin with a dashpot, pressed
     jointed,         ///< flat joints of four elements, all bonded
-    slit             ///< flat joints of four elements, none bonded: each is looked at
+    slit             ///< flat joints of four elements, none bonded: each is visited
   };
 
   const char *name_of(const State state)
@@ -78,20 +78,11 @@ namespace
     return "";
   }
 
-  dem::ParallelBondParameters cement()
+  /** Of a law with bonds; none breaks. */
+  template <typename Parameters>
+  Parameters unbreakable()
   {
-    dem::ParallelBondParameters p;
-    p.effective_modulus    = 25e9;
-    p.stiffness_ratio      = 2.5;
-    p.friction_coefficient = 0.8;
-    p.tensile_strength     = 1e9;
-    p.cohesion             = 1e9;
-    return p;
-  }
-
-  dem::ContactBondParameters glue()
-  {
-    dem::ContactBondParameters p;
+    Parameters p;
     p.effective_modulus    = 25e9;
     p.friction_coefficient = 0.8;
     p.tensile_strength     = 1e9;
@@ -118,15 +109,11 @@ namespace
 
   dem::FlatJointParameters joints(const bool slit)
   {
-    dem::FlatJointParameters p;
-    p.effective_modulus    = 25e9;
-    p.friction_coefficient = 0.8;
-    p.tensile_strength     = 1e9;
-    p.cohesion             = 1e9;
-    p.elements             = 4;
-    p.rings                = 1;
-    p.sectors              = 4;
-    p.slit_fraction        = slit ? 1 : 0;
+    auto p          = unbreakable<dem::FlatJointParameters>();
+    p.elements      = 4;
+    p.rings         = 1;
+    p.sectors       = 4;
+    p.slit_fraction = slit ? 1 : 0;
     return p;
   }
 
@@ -135,9 +122,9 @@ namespace
     switch (state)
       {
       case State::cemented:
-        return cement();
+        return unbreakable<dem::ParallelBondParameters>();
       case State::glued:
-        return glue();
+        return unbreakable<dem::ContactBondParameters>();
       case State::touching:
         return grains();
       case State::elastic_spheres:

@@ -18,7 +18,7 @@ TEST_CASE("base64: texts are those of RFC 4648, and every byte is kept", "[postp
   CHECK(base64(std::string("\xff\x00\xfe", 3)) == "/wD+");
 }
 
-TEST_CASE("a page is one file that asks nothing of another place, with what it is given as text", "[postprocess]")
+TEST_CASE("a page is one file that loads nothing from another place, with what it is given as text", "[postprocess]")
 {
   postprocess::HtmlPage page("A & <b>");
   page.list({});

@@ -274,7 +274,7 @@ TEST_CASE("a packing of 200,000 particles is written and read back", "[postproce
   const auto         *name    = GENERATE("p.txt", "p.h5");
   auto                packing = awkward_packing(200000); // more than one chunk of the HDF5 file
   for (auto &centre : packing.centre)
-    centre *= 1e-4; // not so far out that radii no longer tell places apart
+    centre *= 1e-4; // not so far out that radii no longer distinguish places
   write_packing(packing, folder / name);
   require_same_bits(packing, read_packing(folder / name));
 }

@@ -266,7 +266,7 @@ TEST_CASE("a link to a periodic image shows no crack where only the cell lies be
   stretched.images        = {{{-3 - 1e-3, 0, 0}, {-3, 0, 0}}}; // the image has moved with the cell: as near as before
   opened.images           = {{{-3 - 3e-3, 0, 0}, {-3, 0, 0}}};
   const std::string whole = picture("none.png", {}, closed);
-  CHECK(picture("across.png", link, closed) != whole); // what a reader who ignores images would see
+  CHECK(picture("across.png", link, closed) != whole); // as a reader without images sees it
   CHECK(picture("stretched.png", link, stretched) == whole);
   CHECK(picture("opened.png", link, opened) != whole);
 }
@@ -283,7 +283,7 @@ TEST_CASE("materials are named in the legend", "[postprocess]")
   named.materials         = {"mortar", "aggregate"};
   other.materials         = {"mortar", "steel"};
   const std::string plain = picture({});
-  CHECK(picture(named) == plain); // one material: nothing to tell apart
+  CHECK(picture(named) == plain); // one material: nothing to distinguish
   particles.material = {0, 0, 1, 1, 0, 0};
   CHECK(picture(named) != picture(other));
   CHECK(picture(named) != plain);

@@ -6,7 +6,7 @@
 
 namespace postprocess_tests
 {
-  /** n particles in a row whose every value tells its particle and its quantity. */
+  /** n particles in a row whose every value encodes its particle and its quantity. */
   inline dem::ParticleOutput numbered_particles(const int n)
   {
     dem::ParticleOutput output;

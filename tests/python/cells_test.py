@@ -192,7 +192,7 @@ class MacroDouble:
 
 class MicroManagerTest(unittest.TestCase):
     def program_under(self, towards):
-        """Stress (6) at the end of each step of the program, all faces of a block led in homogeneous strain."""
+        """Stress (6) at the end of each step of the program, all faces of a block driven in homogeneous strain."""
         xx, yy, zz, yz, zx, xy = (repr(float(value)) for value in towards)
         motion = {
             "x": f"t*({xx}*x + {xy}*y)",  # the engineering shears, all in one of the two gradients

@@ -93,7 +93,7 @@ namespace
 TEST_CASE("S17: an elastic path of 1000 steps with reversal leaves no trace in a structure of cells",
           "[stability][coupling][multiscale][slow]")
 {
-  // Elastic by what is known of the cell; by particles that are looked at each time; by particles that are solved for.
+  // Elastic by what is known of the cell; by particles that are visited each time; by particles that are solved for.
   for (const auto &[from_start, only_solved] :
        std::vector<std::pair<bool, bool>>{{false, false}, {true, false}, {true, true}})
     {

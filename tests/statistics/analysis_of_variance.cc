@@ -177,7 +177,7 @@ TEST_CASE("analysis of variance: of a design without a degree left F is not a nu
   CHECK(saturated.error_degrees == 0);
   CHECK(std::isnan(saturated.effects[0].f));
   factors[2].values = factors[1].values;
-  CHECK_THROWS_WITH(analyse_variance(factors, response), Catch::Contains("tell these terms apart") &&
+  CHECK_THROWS_WITH(analyse_variance(factors, response), Catch::Contains("do not distinguish these terms") &&
                                                            Catch::Contains("b level 1") &&
                                                            Catch::Contains("c level 1"));
 }

@@ -16,7 +16,7 @@ namespace
     return results_of(scene, changes);
   }
 
-  /** Breaks that the log tells of, in the order of time. */
+  /** Breaks of the log, in the order of time. */
   std::vector<blow_on_discs::Break> logged(const postprocess::CsvTable &log)
   {
     std::vector<blow_on_discs::Break> found;

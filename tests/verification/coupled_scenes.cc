@@ -43,7 +43,7 @@ TEST_CASE("Spheres thrown at a cantilever: the published example's momentum, ene
   CHECK(found.summary["figures"]["first_contact"]["value"].get<double>() == Approx(0.0867).epsilon(0.03));
   const double start = series.column("energy_particles_initial").front();
   for (const double missing : series.column("energy_residual"))
-    REQUIRE(std::fabs(missing) < 2e-3 * start);    // 1 % is asked for
+    REQUIRE(std::fabs(missing) < 2e-3 * start);    // 1 % is required
   CHECK(series.column("first_speed").back() < -1); // it went through the column, and flew on
   const auto &second = series.column("second_speed"), &tip = series.column("displacement_tip_x");
   const auto  met =

@@ -27,7 +27,7 @@ TEST_CASE("Mortars of one to four sizes have the published contacts, porosity, s
     const char              *scene;
     std::vector<std::string> changes;
     int                      packings;       // strengths are means over them
-    double                   contacts, area; // 0: not looked at
+    double                   contacts, area; // 0: not compared
   };
   // The last with the modulus that is called that of joints, and settled with friction, where packings scatter most: +1 to +20 %.
   for (const Case &one :
@@ -103,15 +103,15 @@ TEST_CASE("Mortars of finer grains have the published contacts, with an installa
     }
 }
 
-TEST_CASE("Concrete with aggregates: a window has the published strength, modulus and ratio of Poisson",
-          "[verification][slow]")
+TEST_CASE(
+  "Concrete with aggregates: a window has four fifths of the published strength, its modulus and ratio of Poisson",
+  "[verification][slow]")
 {
   // Su et al. (2021), Table 3: 32.23 MPa, 28.37 GPa, 0.197 on 200 mm x 100 mm. How much moments count, which is not published, is that of
   // the study's other strengths (tests/apps/concrete_study.cc): doc/tutorials/mortar.md.
   const SceneResults found = results_of("concrete_aggregates", {"Specimen/Genesis/Size=0.1, 0.05, 0"});
   const auto        &test  = found.summary["figures"]["laboratory"];
-  CHECK(test["compressive_strength"]["value"].get<double>() == Approx(32.23e6).epsilon(0.25));
-  CHECK(test["compressive_strength"]["value"].get<double>() == Approx(0.81 * 32.23e6).epsilon(0.05)); // as it was found
+  CHECK(test["compressive_strength"]["value"].get<double>() == Approx(0.81 * 32.23e6).epsilon(0.05));
   CHECK(test["young_modulus"]["value"].get<double>() == Approx(28.37e9).epsilon(0.15));
   CHECK(test["poisson_ratio"]["value"].get<double>() == Approx(0.197).margin(0.05));
   CHECK(found.summary["energy"]["balance_error"].get<double>() < 1e-3);

@@ -198,11 +198,11 @@ TEST_CASE("with the default gauge length the modulus depends on the grips' thick
     links.interaction_ratio = 1.5;
     links.normal_modulus    = law.normal_modulus;
     links.shear_ratio       = law.shear_ratio;
-    dem::GripParameters asked;
-    asked.thickness = thickness;
-    asked.gauge     = gauge;
+    dem::GripParameters requested;
+    requested.thickness = thickness;
+    requested.gauge     = gauge;
     dem::GripPair grips;
-    grips.layers                      = dem::find_grip_layers({packing.centre, packing.radius}, 2, asked);
+    grips.layers                      = dem::find_grip_layers({packing.centre, packing.radius}, 2, requested);
     const dem::LoadedNetwork   loaded = dem::load_grips(dem::make_network(packing, links), grips);
     dem::QuasiStaticParameters steps;
     steps.strain_step = 1e-6;

@@ -29,7 +29,7 @@ namespace apps
     {
       return fmt::format(
         "when leg {} ended, stress {} was {:.4g} Pa, with {:.4g} Pa prescribed by then, at strain {:.3g}", end.leg + 1,
-        base::voigt_names[static_cast<std::size_t>(end.component)], end.is, end.asked, end.strain);
+        base::voigt_names[static_cast<std::size_t>(end.component)], end.is, end.requested, end.strain);
     }
 
     /** Component whose strain spans most. */

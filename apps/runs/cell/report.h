@@ -12,7 +12,7 @@
 
 namespace apps
 {
-  /** What a complete run of a periodic cell tells: for programs, for the eye, for the terminal. */
+  /** Reports of a complete run of a periodic cell: for programs, for the eye, for the terminal. */
   struct CellReport
   {
     const RunRequest            &request;

@@ -18,8 +18,8 @@
 
 namespace apps
 {
-  CellRun::CellRun(const RunRequest &asked, const CellModel &what)
-    : request(asked)
+  CellRun::CellRun(const RunRequest &requested, const CellModel &what)
+    : request(requested)
     , model(what)
   {
   }

@@ -42,8 +42,9 @@ namespace apps
       block.refuse("Packings", "cells in motion share their materials, and aggregates of another packing may want more "
                                "of them. Leave it at 1, or give sections Materials.");
     if (moves && (localised == coupling::Localised::crack_band || localised == coupling::Localised::refuse))
-      block.refuse("When localised", "a cell in motion has no tangent, and cannot be asked twice. Take stop or go on, "
-                                     "or Answer = equilibrium.");
+      block.refuse("When localised",
+                   "a cell in motion has no tangent, and cannot be evaluated twice. Take stop or go on, "
+                   "or Answer = equilibrium.");
     if (packings > 1 && source.source == SpecimenSection::Source::file)
       block.refuse("Packings", "a file has one packing. Leave it at 1, or generate them.");
   }

@@ -61,9 +61,8 @@ namespace apps
     const std::vector<std::shared_ptr<const coupling::PreparedCell>> &prepared() const;
     coupling::CellParameters                                          parameters() const;
 
-    mutable std::vector<std::shared_ptr<const coupling::PreparedCell>>
-                                      made; ///< once, when first asked for, as the next
-    mutable std::vector<dem::Packing> packed;
+    mutable std::vector<std::shared_ptr<const coupling::PreparedCell>> made; ///< once, when first needed, as the next
+    mutable std::vector<dem::Packing>                                  packed;
   };
 
   /** Law = cells. */

@@ -8,8 +8,8 @@
 namespace apps
 {
   template <int dim>
-  ObservedContacts<dim>::ObservedContacts(const ContactsSection &asked, coupling::SolidContacts<dim> &given)
-    : section(asked)
+  ObservedContacts<dim>::ObservedContacts(const ContactsSection &requested, coupling::SolidContacts<dim> &given)
+    : section(requested)
     , contacts(given)
   {
     for (const ContactSection &contact : section.contacts)

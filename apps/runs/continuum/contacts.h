@@ -16,7 +16,7 @@ namespace apps
     double spurious() const { return work + held; } ///< by themselves
   };
 
-  /** The contacts that a scene asks for between the bodies of its solid, as a run observes them. */
+  /** The contacts that a scene requests between the bodies of its solid, as a run observes them. */
   template <int dim>
   class ObservedContacts
   {
@@ -24,7 +24,7 @@ namespace apps
     /** Gives the contacts to the solid's. Both must outlive it. @throws base::InputError */
     ObservedContacts(const ContactsSection &section, coupling::SolidContacts<dim> &contacts);
 
-    /** Columns of the series that the summary tells of: the force on each body. */
+    /** Columns of the series that the summary reports: the force on each body. */
     std::vector<postprocess::SeriesColumn> force_columns() const;
     std::vector<double>                    forces() const;
     /** The others: pairs of bodies that touch, overlap, energies. */

@@ -30,7 +30,7 @@ namespace apps
   } // namespace
 
   template <int dim>
-  void DissipatedPlaces<dim>::look(fem::Solid<dim> &solid, const fem::Vector &displacement)
+  void DissipatedPlaces<dim>::update(fem::Solid<dim> &solid, const fem::Vector &displacement)
   {
     SpreadAmount more;
     base::Column next;
@@ -57,7 +57,7 @@ namespace apps
   template <int dim>
   void DissipatedPlaces<dim>::start_at(fem::Solid<dim> &solid, const fem::Vector &displacement)
   {
-    look(solid, displacement);
+    update(solid, displacement);
     sum = {};
   }
 

@@ -15,8 +15,8 @@ namespace apps
   class DissipatedPlaces
   {
   public:
-    /** Look at a new state. All ranks together, and all get the same. */
-    void look(fem::Solid<dim> &solid, const fem::Vector &displacement);
+    /** Take a new state. All ranks together, and all get the same. */
+    void update(fem::Solid<dim> &solid, const fem::Vector &displacement);
 
     /** From now on it counts from this state. */
     void start_at(fem::Solid<dim> &solid, const fem::Vector &displacement);

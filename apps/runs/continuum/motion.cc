@@ -143,6 +143,17 @@ namespace apps
     visit_histories(visitor, solid);
   }
 
+  ContinuumEnergy energy_of(const fem::ExplicitEnergy &motion)
+  {
+    ContinuumEnergy energy;
+    energy.external = motion.external;
+    energy.internal = motion.internal;
+    energy.kinetic  = motion.kinetic;
+    energy.damped   = motion.damped;
+    energy.start    = motion.start;
+    return energy;
+  }
+
   template std::unique_ptr<fem::ExplicitSolver<2>>
   make_motion(fem::Solid<2> &, const ContinuumModel &, const std::array<double, 3> &);
   template std::unique_ptr<fem::ExplicitSolver<3>>

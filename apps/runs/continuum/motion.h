@@ -1,5 +1,6 @@
 #pragma once
 
+#include "apps/runs/continuum/energy.h"
 #include "apps/runs/continuum/model.h"
 #include "base/state.h"
 #include "fem/explicit/explicit_solver.h"
@@ -9,7 +10,7 @@
 namespace apps
 {
   /**
-   * The motion of a solid as a scene asks for it: densities, damping, safety and initial velocity.
+   * The motion of a solid as a scene describes it: densities, damping, safety and initial velocity.
    * @param solid must outlive it. @param gravity acceleration of what falls [m/s^2]. @throws base::InputError
    */
   template <int dim>
@@ -21,6 +22,9 @@ namespace apps
 
   /** The first of equal steps that end together after a rest, none longer than the longest [s]. */
   double step_towards(double rest, double longest);
+
+  /** The account of a motion, without what materials store. */
+  ContinuumEnergy energy_of(const fem::ExplicitEnergy &motion);
 
   /** All that a motion needs to go on to the same bits, histories of the points included. Columns hold this rank's part. */
   template <int dim>

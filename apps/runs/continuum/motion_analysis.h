@@ -29,17 +29,7 @@ namespace apps
       return {&solver.displacement(), &solver.internal_force(), &solver.external_force()};
     }
 
-    ContinuumEnergy energy() const override
-    {
-      const fem::ExplicitEnergy &e = solver.energy();
-      ContinuumEnergy            energy;
-      energy.external = e.external;
-      energy.internal = e.internal;
-      energy.kinetic  = e.kinetic;
-      energy.damped   = e.damped;
-      energy.start    = e.start;
-      return energy;
-    }
+    ContinuumEnergy energy() const override { return energy_of(solver.energy()); }
 
     double end() const override { return motion.end_time; }
 

@@ -73,14 +73,9 @@ namespace apps
 
       std::vector<double> row() const override
       {
-        const fem::ExplicitEnergy e = motion->energy();
-        ContinuumEnergy           energy;
-        energy.external = e.external;
-        energy.internal = e.internal;
-        energy.kinetic  = e.kinetic;
-        energy.damped   = e.damped;
-        energy.start    = e.start;
-        std::vector<double> values =
+        const fem::ExplicitEnergy e      = motion->energy();
+        ContinuumEnergy           energy = energy_of(e);
+        std::vector<double>       values =
           probes.read({&motion->displacement(), &motion->internal_force(), &motion->external_force()}, energy);
         values.insert(values.end(), {e.kinetic, e.damped, e.start, e.external, e.internal, energy.residual(),
                                      energy.balance_error()});
@@ -104,7 +99,7 @@ namespace apps
       throw base::EntryError({"Model"}, "Analysis", "only a solid in motion is advanced step by step: explicit.");
     if (model.precice.given())
       throw base::EntryError({"preCICE"}, "Participant",
-                             "a solid that is moved step by step is coupled by who moves it.");
+                             "a solid that is moved step by step is coupled by the program that moves it.");
     if (!model.contacts.empty())
       throw base::EntryError({"Contacts"}, "",
                              "bodies in contact with each other are moved by a run alone, not step by step.");

@@ -18,10 +18,10 @@ namespace apps
         found.figures.emplace_back("peak_load_factor");
       for (const ProbeColumn &probe : run.probe_columns())
         {
-          if (probe.told == ProbeColumn::Told::peak)
+          if (probe.reported == ProbeColumn::Reported::peak)
             found.figures.push_back("peak_" + probe.column.name);
-          if (probe.told == ProbeColumn::Told::last)
-            found.figures.push_back(probe.told_as);
+          if (probe.reported == ProbeColumn::Reported::last)
+            found.figures.push_back(probe.reported_as);
         }
       if (found.has_column("opening"))
         found.figures.emplace_back("final_opening");

@@ -88,19 +88,19 @@ namespace apps
     private:
       double step() const override { return solver.step(); }
 
-      /** Nodes of the boundary. @throws base::InputError where the scene itself prescribes how those move that are led */
+      /** Nodes of the boundary. @throws base::InputError where the scene itself prescribes the motion of driven ones */
       std::vector<std::size_t> vertices(const fem::Solid<dim> &solid) const
       {
         std::vector<std::size_t> found;
-        const bool               led = model.precice.reads.force.empty();
+        const bool               driven = model.precice.reads.force.empty();
         for (const auto first : solid.boundary_dofs(model.precice.vertices, 0))
           {
             found.push_back(participant.carrier_of(first));
             for (const auto dof : participant.displacements(found.back()))
-              if (led && solid.constraints().is_constrained(dof))
+              if (driven && solid.constraints().is_constrained(dof))
                 throw base::EntryError({"preCICE"}, "Boundary",
                                        model.precice.vertices + " has nodes whose displacement the scene prescribes: "
-                                                                "they cannot be led by another program as well.");
+                                                                "they cannot be driven by another program as well.");
           }
         std::sort(found.begin(), found.end());
         return found;

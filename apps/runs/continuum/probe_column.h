@@ -6,18 +6,18 @@
 
 namespace apps
 {
-  /** A column of the series, and what a summary tells of it. */
+  /** A column of the series, and what a summary reports of it. */
   struct ProbeColumn
   {
-    enum class Told
+    enum class Reported
     {
       not_at_all,
       peak, ///< as peak_<name>: where it is largest in magnitude
       last  ///< at the end
     };
     postprocess::SeriesColumn column;
-    Told                      told    = Told::not_at_all;
-    std::string               told_as = ""; ///< of the last value: its name in the summary
+    Reported                  reported    = Reported::not_at_all;
+    std::string               reported_as = ""; ///< of the last value: its name in the summary
   };
 
   /** A name as part of a column: without blanks, slashes and commas. */

@@ -113,19 +113,19 @@ namespace apps
   template <int dim>
   std::vector<ProbeColumn> ContinuumProbes<dim>::columns() const
   {
-    using Told = ProbeColumn::Told;
+    using Reported = ProbeColumn::Reported;
     std::vector<ProbeColumn> all;
     for (const auto *resultants : {&loads, &reactions})
       for (const Resultant &r : *resultants)
-        all.push_back({{r.name, "N"}, Told::peak});
+        all.push_back({{r.name, "N"}, Reported::peak});
     for (const Displacement &d : displacements)
-      all.push_back({{d.name, "m"}, Told::last, "final_" + d.name});
+      all.push_back({{d.name, "m"}, Reported::last, "final_" + d.name});
     all.push_back({{"energy_stored", "J"}});
-    all.push_back({{"energy_dissipated", "J"}, Told::last, "dissipated_energy"});
+    all.push_back({{"energy_dissipated", "J"}, Reported::last, "dissipated_energy"});
     for (const Watched &w : watched)
-      all.push_back({{w.name, w.unit}, Told::last, w.name});
+      all.push_back({{w.name, w.unit}, Reported::last, w.name});
     for (const std::string &name : counted)
-      all.push_back({{"points_" + name, ""}, Told::last, "points_" + name});
+      all.push_back({{"points_" + name, ""}, Reported::last, "points_" + name});
     return all;
   }
 

@@ -30,7 +30,7 @@ namespace apps
       return model.is_static() ? make_static_analysis(solid, model) : make_explicit_analysis(solid, model);
     }
 
-    /** What solvers throw, as a run tells it. */
+    /** What solvers throw, as a run reports it. */
     template <typename Work>
     void in_words_of_a_run(const Work &work)
     {
@@ -50,11 +50,11 @@ namespace apps
   } // namespace
 
   template <int dim>
-  ContinuumRun<dim>::ContinuumRun(const RunRequest     &asked,
+  ContinuumRun<dim>::ContinuumRun(const RunRequest     &requested,
                                   const ContinuumModel &what,
                                   const Prepare        &prepare,
                                   const Settle         &settle_)
-    : request(asked)
+    : request(requested)
     , model(what)
     , settle(settle_)
   {
@@ -166,7 +166,7 @@ namespace apps
   void ContinuumRun<dim>::begin(const Record &record)
   {
     for (const std::string &warning : coarse_elements(*solid, model))
-      tell(request, &RunObserver::warns, warning);
+      notify(request, &RunObserver::warns, warning);
     if (settle)
       {
         const Progress progress("equilibrium of the start");
@@ -246,12 +246,12 @@ namespace apps
     was_stopped      = now < model.control.stop_fraction * peak;
     if (model.output.fracture_zone)
       {
-        dissipated.look(*solid, *analysis->state().displacement);
+        dissipated.update(*solid, *analysis->state().displacement);
         zone.note(now, dissipated.so_far());
       }
     if (least_left > 0)
       {
-        watch.look(*solid, now);
+        watch.update(*solid, now);
         has_softened = watch.softens_everywhere() && now < least_left * peak;
       }
     return {{}, values, {}};
@@ -264,7 +264,7 @@ namespace apps
     const auto   due  = static_cast<std::int64_t>(std::floor(part * static_cast<double>(model.output.snapshots)));
     if (due > snapshots_due)
       snapshot();
-    snapshots_due = due; // fewer than before where a resumed run asks for fewer
+    snapshots_due = due; // fewer than before where a resumed run requests fewer
   }
 
   template <int dim>
@@ -336,7 +336,7 @@ namespace apps
                                 extremes,
                                 solid->linear(),
                                 ended_by(),
-                                zone.width(dim), // asked of all ranks, told by the first
+                                zone.width(dim), // of all ranks, reported by the first
                                 analysis->warning()};
     return is_first_rank() ? RunFindings{found.summary(), found.text(), nullptr} : RunFindings{};
   }
@@ -344,7 +344,7 @@ namespace apps
   template <int dim>
   void ContinuumRun<dim>::write_results(const std::filesystem::path &folder, const postprocess::CsvTable &series)
   {
-    // The way to the end asks for a snapshot there; a run that stopped early shows where.
+    // A snapshot is due at the end of the path; a run that stopped early shows where.
     if (was_stopped || has_softened || !failure.empty() || !invalid.empty() || snapshots_due < model.output.snapshots)
       snapshot();
     const std::string  title        = std::filesystem::path(request.scene_file).stem().string();

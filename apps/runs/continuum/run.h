@@ -42,7 +42,7 @@ namespace apps
                  const Settle         &settle  = {});
 
     /**
-     * Two more ends, which the summary tells: no equilibrium any more (otherwise execute() throws), and softening everywhere with
+     * Two more ends, which the summary reports: no equilibrium any more (otherwise execute() throws), and softening everywhere with
      * little force left (otherwise the run goes on).
      * @param least_force share of the largest one in the vertical column of the curve
      */
@@ -116,7 +116,7 @@ namespace apps
     std::filesystem::path                     location;       ///< where results grow
     SofteningWatch<dim>                       watch;
     DissipatedPlaces<dim>                     dissipated;
-    FractureZone                              zone; ///< told of where model.output asks for it
+    FractureZone                              zone; ///< updated where model.output requests it
     std::string                               horizontal, vertical;
     std::size_t                               vertical_index = 0;
 
@@ -124,11 +124,11 @@ namespace apps
     std::int64_t snapshot_count = 0; ///< taken so far
     std::int64_t snapshots_due  = 0; ///< on the way to the end
     bool         was_stopped = false, has_softened = false, failure_is_an_end = false;
-    double       least_left = 0; ///< see end_where_little_is_left(); 0: not asked for
+    double       least_left = 0; ///< see end_where_little_is_left(); 0: not requested
     std::string  failure;        ///< that was the end; "": none
     std::string  invalid;        ///< why no state after the last would be worth anything; "": none
 
-    std::optional<fem::SolidExtremes> extremes; ///< of the last state; not told of solids in motion
+    std::optional<fem::SolidExtremes> extremes; ///< of the last state; not reported of solids in motion
   };
 
   /** Do the work of a checked model. Throws as Scene::run(). */

@@ -31,7 +31,7 @@ namespace apps
   } // namespace
 
   template <int dim>
-  void SofteningWatch<dim>::look(fem::Solid<dim> &solid, const double force)
+  void SofteningWatch<dim>::update(fem::Solid<dim> &solid, const double force)
   {
     std::vector<double> now     = damage_of(solid);
     const bool          damaged = on_any_rank(!now.empty()), stands = on_any_rank(!grows(damage, now));

@@ -8,13 +8,13 @@
 
 namespace apps
 {
-  /** Tells when a solid softens everywhere: from state to state its force falls while the damage of all its points grows. */
+  /** Detects that a solid softens everywhere: from state to state its force falls while the damage of all its points grows. */
   template <int dim>
   class SofteningWatch
   {
   public:
-    /** Look at a new state. All ranks together. @param force that the solid bears, in magnitude [N] */
-    void look(fem::Solid<dim> &solid, double force);
+    /** Take a new state. All ranks together. @param force that the solid bears, in magnitude [N] */
+    void update(fem::Solid<dim> &solid, double force);
 
     /** It has done so in the last ten states. Elastic points do not count; neither does what is damaged through and through. */
     bool softens_everywhere() const { return in_a_row >= enough; }

@@ -12,14 +12,15 @@ namespace apps
 {
   namespace
   {
-    /** @param told how far an iteration is */
-    fem::NewtonOptions newton_options(const ControlSection &control, std::function<void(unsigned int, double)> told)
+    /** @param on_iteration how far it is */
+    fem::NewtonOptions newton_options(const ControlSection                     &control,
+                                      std::function<void(unsigned int, double)> on_iteration)
     {
       fem::NewtonOptions options;
-      options.told        = std::move(told);
-      options.tolerance   = control.tolerance;
-      options.iterations  = static_cast<unsigned int>(control.iterations);
-      options.line_search = control.line_search;
+      options.on_iteration = std::move(on_iteration);
+      options.tolerance    = control.tolerance;
+      options.iterations   = static_cast<unsigned int>(control.iterations);
+      options.line_search  = control.line_search;
       return options;
     }
 
@@ -70,8 +71,9 @@ namespace apps
         : solid(solid_)
         , control(model.control)
         , solver(solid_,
-                 newton_options(model.control,
-                                [this](const unsigned int iteration, const double over) { tell(iteration, over); }),
+                 newton_options(
+                   model.control,
+                   [this](const unsigned int iteration, const double over) { show_iteration(iteration, over); }),
                  linear_options(model.control))
         , first(one_step_does(solid_, model.control) ? model.control.end : model.control.first())
         , length(first)
@@ -223,24 +225,24 @@ namespace apps
       }
 
     private:
-      /** Reports progress while a step is looked for. */
+      /** Reports progress while a step is sought. */
       struct Speaking
       {
         explicit Speaking(Progress *&speaker)
-          : told(speaker)
+          : shown(speaker)
         {
-          told = &progress;
+          shown = &progress;
         }
-        ~Speaking() { told = nullptr; }
+        ~Speaking() { shown = nullptr; }
         Speaking(const Speaking &)            = delete;
         Speaking &operator=(const Speaking &) = delete;
 
         Progress   progress{"equilibrium"};
-        Progress *&told;
+        Progress *&shown;
       };
 
       /** A step may take long: how far its iteration is. */
-      void tell(const unsigned int iteration, const double over_tolerance)
+      void show_iteration(const unsigned int iteration, const double over_tolerance)
       {
         if (working)
           working->update(

@@ -83,10 +83,10 @@ namespace apps
       tell_peak({"load_factor", "-"});
     for (const ProbeColumn &probe : probes)
       {
-        if (probe.told == ProbeColumn::Told::peak)
+        if (probe.reported == ProbeColumn::Reported::peak)
           tell_peak(probe.column);
-        if (probe.told == ProbeColumn::Told::last)
-          found[probe.told_as] = quantity(last(probe.column.name), probe.column.unit);
+        if (probe.reported == ProbeColumn::Reported::last)
+          found[probe.reported_as] = quantity(last(probe.column.name), probe.column.unit);
       }
     if (has_opening)
       found["final_opening"] = quantity(last("opening"), "m");

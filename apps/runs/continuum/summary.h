@@ -41,7 +41,7 @@ namespace apps
     const ContactFigures             *contact       = nullptr; ///< nullptr: nothing can touch
     ReferencesSection                 references    = {};
     std::vector<std::string>          notes         = {};    ///< of the materials
-    std::optional<fem::SolidExtremes> extremes      = {};    ///< of the last state; not told of solids in motion
+    std::optional<fem::SolidExtremes> extremes      = {};    ///< of the last state; not reported of solids in motion
     bool                              is_linear     = false; ///< a finer mesh has an answer to come closer to
 
     /** "end", "stop fraction", "steps at most", softened, no_equilibrium and why, or "end of validity: " and why. */

@@ -112,7 +112,7 @@ namespace apps
         ContinuumEnergy continuum;
         continuum.internal = motion->energy().internal;
         probes.read({&motion->displacement(), &motion->internal_force(), &motion->external_force()}, continuum);
-        energies.look({time(), motion->energy(), body.specimen().energy(), continuum.dissipated});
+        energies.update({time(), motion->energy(), body.specimen().energy(), continuum.dissipated});
       }
 
       void push(const OutsideForces &forces) override

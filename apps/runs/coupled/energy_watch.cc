@@ -50,16 +50,16 @@ namespace apps
   }
 
   template <int dim>
-  void EnergyWatch<dim>::look(const CoupledEnergies &now)
+  void EnergyWatch<dim>::update(const CoupledEnergies &now)
   {
     const fem::ExplicitEnergy &s = now.solid;
     const dem::EnergyAccount  &p = now.particles;
     largest = std::max({largest, s.kinetic + std::fabs(s.internal), p.kinetic + p.elastic, std::fabs(s.external),
                         std::fabs(p.external_work), std::fabs(p.gravity)});
     touching.require_balance(largest, now.time);
-    look_at_surfaces(now.time);
-    look_at_handshakes(now);
-    look_at_all(now);
+    check_surfaces(now.time);
+    check_handshakes(now);
+    check_balance(now);
   }
 
   template <int dim>
@@ -74,7 +74,7 @@ namespace apps
   }
 
   template <int dim>
-  void EnergyWatch<dim>::look_at_surfaces(const double time) const
+  void EnergyWatch<dim>::check_surfaces(const double time) const
   {
     auto coupling = model.couplings.couplings.begin();
     for (const auto &surface : both.surfaces())
@@ -89,7 +89,7 @@ namespace apps
   }
 
   template <int dim>
-  void EnergyWatch<dim>::look_at_handshakes(const CoupledEnergies &now)
+  void EnergyWatch<dim>::check_handshakes(const CoupledEnergies &now)
   {
     const double of_both = std::min(now.particles.elastic, now.solid.internal); // the less of what either side stores
     auto         said    = model.handshakes.handshakes.begin();
@@ -127,7 +127,7 @@ namespace apps
   }
 
   template <int dim>
-  void EnergyWatch<dim>::look_at_all(const CoupledEnergies &now) const
+  void EnergyWatch<dim>::check_balance(const CoupledEnergies &now) const
   {
     const fem::ExplicitEnergy &s     = now.solid;
     const double               limit = smallest_limit();

@@ -33,16 +33,16 @@ namespace apps
                 const ObservedContacts<dim>           &touching);
 
     /** Whenever a row is written. @throws StoppedShort */
-    void look(const CoupledEnergies &now);
+    void update(const CoupledEnergies &now);
     /** What couplings and sub-cycling have lost, where it is felt: a sentence each. */
     std::vector<std::string> doubts() const;
 
     void visit_state(RunState &state);
 
   private:
-    void look_at_surfaces(double time) const;
-    void look_at_handshakes(const CoupledEnergies &now);
-    void look_at_all(const CoupledEnergies &now) const;
+    void check_surfaces(double time) const;
+    void check_handshakes(const CoupledEnergies &now);
+    void check_balance(const CoupledEnergies &now) const;
     /** @param of as a section of the scene @throws StoppedShort where that is more than it may, made or lost */
     void require(const std::string &of, double made, double limit, double time, const std::string &remedy) const;
     /** What makes less: loss by sub-cycling is in proportion to the longer of both steps. */

@@ -68,7 +68,7 @@ namespace apps
 
   std::function<double(const Vector3d &)> HandshakesSection::share_of_solid() const
   {
-    std::vector<coupling::Overlap> shared; // made once: elements ask at each of their points
+    std::vector<coupling::Overlap> shared; // made once: elements need them at each of their points
     for (const HandshakeSection &h : handshakes)
       if (h.method == VolumeMethod::multipliers)
         shared.push_back(h.overlap());

@@ -91,11 +91,11 @@ namespace apps
   } // namespace
 
   void CoupledModel::check_columns(const std::vector<postprocess::SeriesColumn> &columns,
-                                   const std::vector<postprocess::SeriesColumn> &told) const
+                                   const std::vector<postprocess::SeriesColumn> &reported) const
   {
     std::vector<std::string> names = names_of(columns);
     particles.stops.check({}, names);
-    curve(columns, told);
+    curve(columns, reported);
     std::sort(names.begin(), names.end());
     if (const auto twice = std::adjacent_find(names.begin(), names.end()); twice != names.end())
       throw base::InputError("column " + *twice +
@@ -103,11 +103,11 @@ namespace apps
   }
 
   std::pair<std::string, std::string> CoupledModel::curve(const std::vector<postprocess::SeriesColumn> &columns,
-                                                          const std::vector<postprocess::SeriesColumn> &told) const
+                                                          const std::vector<postprocess::SeriesColumn> &reported) const
   {
     const std::vector<std::string> names = names_of(columns);
     return {
       chosen_column(names, "Curve horizontal", particles.horizontal, laboratory.given() ? "strain" : "time"),
-      chosen_column(names, "Curve vertical", particles.vertical, laboratory.given() ? "stress" : told.back().name)};
+      chosen_column(names, "Curve vertical", particles.vertical, laboratory.given() ? "stress" : reported.back().name)};
   }
 } // namespace apps

@@ -33,10 +33,10 @@ namespace apps
 
     /** What can be said once the solid is made. @throws base::InputError for a stop or a curve of a column that there is not */
     void check_columns(const std::vector<postprocess::SeriesColumn> &columns,
-                       const std::vector<postprocess::SeriesColumn> &told) const;
+                       const std::vector<postprocess::SeriesColumn> &reported) const;
     /** Columns of the curve. @throws base::InputError */
     std::pair<std::string, std::string> curve(const std::vector<postprocess::SeriesColumn> &columns,
-                                              const std::vector<postprocess::SeriesColumn> &told) const;
+                                              const std::vector<postprocess::SeriesColumn> &reported) const;
 
     /** Of the specimen what lies where particles are to be, where a scene says so; and all others. @param cell as specimen_particles() has it @throws as ParticlesModel::packing() */
     dem::Packing packing(std::optional<dem::Packing> *cell = nullptr) const;
@@ -46,7 +46,7 @@ namespace apps
     int dimension() const { return particles.physics.dimension; }
 
   private:
-    /** @throws base::InputError for a side that "top" or "bottom" does not tell, where there is weight */
+    /** @throws base::InputError for a side that "top" or "bottom" does not determine, where there is weight */
     void check_sides(const base::EntryPath &root) const;
   };
 } // namespace apps

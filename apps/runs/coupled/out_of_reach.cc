@@ -16,7 +16,7 @@ namespace apps
       return std::any_of(formulas.begin(), formulas.end(), [](const Expression &e) { return e.varies_in_time(); });
     }
 
-    /** By something that is not looked at here. */
+    /** By something that is not checked here. */
     bool is_driven(const CoupledModel &model)
     {
       const ParticlesModel &particles = model.particles;
@@ -53,7 +53,7 @@ namespace apps
                   const dem::Surface             &surface,
                   const Eigen::Vector3d          &weight)
     {
-      constexpr std::size_t most = 100'000'000; // pairs that are looked at; a forecast must not last
+      constexpr std::size_t most = 100'000'000; // pairs that are visited; a forecast must not last
       if (surface.mesh.size() * particles.size() > most)
         return true;
       for (std::size_t f = 0; f < surface.mesh.size(); ++f)

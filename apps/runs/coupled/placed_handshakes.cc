@@ -42,8 +42,9 @@ namespace apps
     const coupling::Overlap overlap  = handshake.overlap();
     const Elements          elements = elements_in(overlap);
     if (elements.size == 0)
-      throw base::InputError("Handshakes/" + handshake.name +
-                             ": no element of the solid lies in the overlap. Widen it, or look where the mesh is.");
+      throw base::InputError(
+        "Handshakes/" + handshake.name +
+        ": no element of the solid lies in the overlap. Widen it, or compare it with the place of the mesh.");
     names.push_back(handshake.name);
     find_doubts(handshake, specimen, overlap, elements.size);
     return handshake.parameters(elements.size, elements.wave_speed);

@@ -22,9 +22,9 @@
 namespace apps
 {
   CoupledRun::CoupledRun(const RunRequest &requested, const CoupledModel &what)
-    : request(requested)
+    : SampledMotion(what.particles.end_time, what.particles.output)
+    , request(requested)
     , model(what)
-    , sampling(model.particles.end_time, model.particles.output, 1e-12)
   {
   }
 
@@ -81,7 +81,7 @@ namespace apps
   {
     state.group("coupled");
     apps::visit_state(state, start);
-    sampling.visit_state(state);
+    visit_sampling(state);
     body->visit_state(state);
     snapshots.visit_state(state);
     visit_snapshots(state, "solid_snapshots", solids);
@@ -95,8 +95,6 @@ namespace apps
                        counts.particles, counts.links);
   }
 
-  double CoupledRun::done() const { return std::min(1.0, body->time() / model.particles.end_time); }
-
   std::string CoupledRun::details() const
   {
     const dem::Counts counts = body->particles().specimen().counts();
@@ -105,16 +103,11 @@ namespace apps
                        static_cast<double>(body->windows() - windows_before) / std::max(stepping_seconds, 1e-9));
   }
 
-  void CoupledRun::advance(const Record &record)
+  void CoupledRun::advance_to(const double time)
   {
     const base::Stopwatch watch;
-    body->advance_to(sampling.next_time(), most_windows);
+    body->advance_to(time, most_windows);
     stepping_seconds += watch.seconds();
-    if (!sampling.take(body->time())) // interrupted on the way
-      return;
-    record_row(record);
-    if (sampling.snapshot_due())
-      snapshot();
   }
 
   void CoupledRun::record_row(const Record &record)
@@ -124,7 +117,7 @@ namespace apps
     for (const auto &column : body->columns())
       names.push_back(column.name);
     if (!model.particles.stops.fulfilled(names, row).empty() || !body->end_of_validity().empty())
-      sampling.stop();
+      stop();
     record({{}, row, {}});
     body->watch();
   }

@@ -1,9 +1,8 @@
 #pragma once
 
-#include "apps/figures/sampling.h"
+#include "apps/figures/sampled_motion.h"
 #include "apps/results/run_request.h"
 #include "apps/results/run_result.h"
-#include "apps/results/run_work.h"
 #include "apps/runs/coupled/body.h"
 #include "apps/specimens/material_counts.h"
 #include "apps/specimens/specimen_snapshots.h"
@@ -22,7 +21,7 @@ namespace apps
    * In the result folder, besides what every run has (run_files.h): packing.h5; coupled.pvd, which shows solid, particles and surfaces
    * together, with the snapshots and lists of each; and at the end curve.png, coupled.png (a cut through both), and of bonded particles state.h5 and crack.png.
    */
-  class CoupledRun : public RunWork
+  class CoupledRun : public SampledMotion
   {
   public:
     CoupledRun(const RunRequest &request, const CoupledModel &model);
@@ -45,18 +44,15 @@ namespace apps
     void                                   visit_state(RunState &state) override;
     std::vector<postprocess::SeriesColumn> series_columns() const override { return body->columns(); }
     std::string                            size() const override;
-    std::string                            stage() const override { return "motion"; }
-    double                                 done() const override;
     std::string                            details() const override;
-    bool                                   finished() const override { return sampling.finished(); }
-    void                                   advance(const Record &record) override;
-    void                                   leave_last_state() override { snapshot(); }
+    double                                 time() const override { return body->time(); }
+    void                                   advance_to(double time) override;
+    void                                   record_row(const Record &record) override;
+    void                                   snapshot() override;
     RunFindings                            findings(const postprocess::CsvTable &series, double wall_seconds) override;
     void write_results(const std::filesystem::path &folder, const postprocess::CsvTable &series) override;
 
     void make_body();
-    void record_row(const Record &record);
-    void snapshot();
     void list_together() const;
 
     RunRequest                                request;
@@ -67,7 +63,6 @@ namespace apps
     MaterialCounts                            materials; ///< before anything moves
     StaticStart                               start;
     std::filesystem::path                     location;
-    Sampling                                  sampling;
     SpecimenSnapshots                         snapshots;
     std::optional<postprocess::PvdCollection> solids;
     double                                    stepping_seconds = 0; ///< wall clock, since the run began or was resumed

@@ -49,13 +49,13 @@ namespace apps
 
   HomogenisationQuestion HomogenisationModel::question(const double interaction_ratio, const double shear_ratio) const
   {
-    HomogenisationQuestion asked;
-    asked.links.dimension         = thickness > 0 ? 2 : 3;
-    asked.links.thickness         = thickness;
-    asked.links.interaction_ratio = interaction_ratio;
-    asked.links.shear_ratio       = shear_ratio;
-    asked.links.normal_modulus    = normal_modulus;
-    asked.solver.tolerance        = tolerance;
-    return asked;
+    HomogenisationQuestion requested;
+    requested.links.dimension         = thickness > 0 ? 2 : 3;
+    requested.links.thickness         = thickness;
+    requested.links.interaction_ratio = interaction_ratio;
+    requested.links.shear_ratio       = shear_ratio;
+    requested.links.normal_modulus    = normal_modulus;
+    requested.solver.tolerance        = tolerance;
+    return requested;
   }
 } // namespace apps

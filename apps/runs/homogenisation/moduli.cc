@@ -84,7 +84,7 @@ namespace apps
     refuse_unsuitable(packing, question, origin);
     const dem::ElasticNetwork network =
       question.materials ? dem::make_network(packing, links, *question.materials) : dem::make_network(packing, links);
-    // Alike links have what was asked for, to the last bit.
+    // Alike links have the given constants, to the last bit.
     const dem::LinkModuli mean           = question.materials ? dem::mean_moduli(network) : dem::LinkModuli();
     const double          normal_modulus = question.materials ? mean.normal : links.normal_modulus,
                  shear_ratio             = question.materials ? mean.shear / mean.normal : links.shear_ratio;
@@ -103,7 +103,7 @@ namespace apps
     answer.solver                       = relaxed.solver;
     if (!relaxed.solver.converged)
       throw base::NumericalError(fmt::format(
-        "homogenisation: residual {:.2e} after {} iterations, asked for {:.2e}. {} Raise the tolerance or the "
+        "homogenisation: residual {:.2e} after {} iterations, required {:.2e}. {} Raise the tolerance or the "
         "interaction ratio, or choose the direct solver.",
         relaxed.solver.residual, relaxed.solver.iterations, question.solver.tolerance,
         dem::describe(relaxed.solver.mechanisms)));

@@ -59,7 +59,7 @@ namespace apps
    * @param origin of the packing, for messages
    * A cell that does not resist every strain has an answer too: its stiffness, zero in those strains, without constants.
    * @throws base::InputError if the packing does not repeat, or lies in a plane while links in space are requested;
-   *         base::NumericalError if the residual asked for is not reached.
+   *         base::NumericalError if the required residual is not reached.
    */
   HomogenisationAnswer
   homogenise(const dem::Packing &packing, const HomogenisationQuestion &question, const std::string &origin);

@@ -5,9 +5,6 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include <cmath>
-#include <numeric>
-
 namespace apps
 {
   nlohmann::json json_of(const base::Stiffness &D)
@@ -48,31 +45,25 @@ namespace apps
       return fmt::format("  {:<12} {:>12.5f} {:>10.5f} {:>12}  {}\n", way.name, 1e-9 * c->young, c->poisson, over,
                          way.meaning);
     }
+
+    /** Of those answers that have it. */
+    std::vector<double> values_of(const std::vector<HomogenisationAnswer> &answers,
+                                  FoundStiffness HomogenisationAnswer::*way,
+                                  double dem::ElasticConstants::*figure)
+    {
+      std::vector<double> values;
+      for (const HomogenisationAnswer &a : answers)
+        if ((a.*way).constants)
+          values.push_back(*(a.*way).constants.*figure);
+      return values;
+    }
   } // namespace
 
-  std::vector<double> constants_of(const std::vector<HomogenisationAnswer> &answers,
-                                   FoundStiffness HomogenisationAnswer::*way,
-                                   double dem::ElasticConstants::*figure)
+  statistics::SampleMoments moments_of(const std::vector<HomogenisationAnswer> &answers,
+                                       FoundStiffness HomogenisationAnswer::*way,
+                                       double dem::ElasticConstants::*figure)
   {
-    std::vector<double> values;
-    for (const HomogenisationAnswer &a : answers)
-      if ((a.*way).constants)
-        values.push_back(*(a.*way).constants.*figure);
-    return values;
-  }
-
-  std::optional<SampleFigure> sample_figure(const std::vector<double> &values)
-  {
-    if (values.empty())
-      return std::nullopt;
-    SampleFigure figure;
-    const auto   n = static_cast<double>(values.size());
-    figure.mean    = std::accumulate(values.begin(), values.end(), 0.0) / n;
-    double squares = 0;
-    for (const double v : values)
-      squares += (v - figure.mean) * (v - figure.mean);
-    figure.deviation = values.size() > 1 ? std::sqrt(squares / (n - 1)) : 0.0;
-    return figure;
+    return statistics::moments_of(values_of(answers, way, figure));
   }
 
   std::string table_of(const HomogenisationAnswer &answer, const HomogenisationQuestion &question)
@@ -104,14 +95,13 @@ namespace apps
     std::string text = fmt::format("\n  over {} packings, mean and standard deviation\n", answers.size());
     for (const HomogenisationWay &way : homogenisation_ways)
       {
-        const std::vector<double> found = constants_of(answers, way.found, &dem::ElasticConstants::young);
-        const auto                E     = sample_figure(found);
-        const auto                nu = sample_figure(constants_of(answers, way.found, &dem::ElasticConstants::poisson));
-        text += E ? fmt::format("  {:<12} E = {:.5f} +- {:.5f} GPa   nu = {:.5f} +- {:.5f}", way.name, 1e-9 * E->mean,
-                                1e-9 * E->deviation, nu->mean, nu->deviation) :
-                    fmt::format("  {:<12} none", way.name);
-        if (found.size() < answers.size())
-          text += fmt::format("   {} of them without moduli", answers.size() - found.size());
+        const statistics::SampleMoments E  = moments_of(answers, way.found, &dem::ElasticConstants::young),
+                                        nu = moments_of(answers, way.found, &dem::ElasticConstants::poisson);
+        text += E.count > 0 ? fmt::format("  {:<12} E = {:.5f} +- {:.5f} GPa   nu = {:.5f} +- {:.5f}", way.name,
+                                          1e-9 * E.mean, 1e-9 * E.deviation, nu.mean, nu.deviation) :
+                              fmt::format("  {:<12} none", way.name);
+        if (E.count < answers.size())
+          text += fmt::format("   {} of them without moduli", answers.size() - E.count);
         text += '\n';
       }
     return text;
@@ -157,11 +147,10 @@ namespace apps
       for (const auto &[name, figure] :
            {std::pair{"E", &dem::ElasticConstants::young}, std::pair{"nu", &dem::ElasticConstants::poisson}})
         {
-          const std::vector<double> values = constants_of(answers, way.found, figure);
-          const auto                sample = sample_figure(values);
-          json[way.name][name]             = {{"mean", sample ? nlohmann::json(sample->mean) : nlohmann::json()},
-                                              {"deviation", sample ? nlohmann::json(sample->deviation) : nlohmann::json()},
-                                              {"values", values}};
+          const std::vector<double> values = values_of(answers, way.found, figure);
+          json[way.name][name]             = {{"mean", nullptr}, {"deviation", nullptr}, {"values", values}};
+          if (const statistics::SampleMoments sample = statistics::moments_of(values); sample.count > 0)
+            json[way.name][name].update({{"mean", sample.mean}, {"deviation", sample.deviation}});
         }
     return json;
   }

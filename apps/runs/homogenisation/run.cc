@@ -25,11 +25,11 @@ namespace apps
       double                            interaction_ratio, shear_ratio;
       std::vector<HomogenisationAnswer> answers;
 
-      /** Nothing where no packing has the constant. */
-      std::optional<SampleFigure> figure(FoundStiffness HomogenisationAnswer::*way,
-                                         double dem::ElasticConstants::*constant) const
+      /** Over those packings that have the constant. */
+      statistics::SampleMoments figure(FoundStiffness HomogenisationAnswer::*way,
+                                       double dem::ElasticConstants::*constant) const
       {
-        return sample_figure(constants_of(answers, way, constant));
+        return moments_of(answers, way, constant);
       }
     };
 
@@ -46,8 +46,8 @@ namespace apps
               {
                 const auto sample   = p.figure(way.found, constant);
                 own[way.name][name] = {{"value", nullptr}, {"unit", unit}};
-                if (sample)
-                  own[way.name][name]["value"] = sample->mean;
+                if (sample.count > 0)
+                  own[way.name][name]["value"] = sample.mean;
                 else
                   own[way.name][name]["not_determined"] = "the cell does not resist every strain";
               }
@@ -68,8 +68,8 @@ namespace apps
             {
               const auto E  = p.figure(way.found, &dem::ElasticConstants::young);
               const auto nu = p.figure(way.found, &dem::ElasticConstants::poisson);
-              text += E ? fmt::format(",{},{},{},{}", E->mean, E->deviation, nu->mean, nu->deviation) :
-                          ",none,none,none,none"; // cells without moduli
+              text += E.count > 0 ? fmt::format(",{},{},{},{}", E.mean, E.deviation, nu.mean, nu.deviation) :
+                                    ",none,none,none,none"; // cells without moduli
             }
           text += '\n';
         }
@@ -113,16 +113,16 @@ namespace apps
                 {
                   const auto e = points[i].figure(way.found, &dem::ElasticConstants::young);
                   const auto n = points[i].figure(way.found, &dem::ElasticConstants::poisson);
-                  if (!e || !n)
+                  if (e.count == 0 || n.count == 0)
                     continue; // a cell without moduli
                   E.x.push_back(points[i].shear_ratio);
-                  E.y.push_back(e->mean / normal_modulus);
+                  E.y.push_back(e.mean / normal_modulus);
                   nu.x.push_back(points[i].shear_ratio);
-                  nu.y.push_back(n->mean);
+                  nu.y.push_back(n.mean);
                   if (E.style == postprocess::PlotSeries::Style::points)
                     {
-                      E.y_error.push_back(e->deviation / normal_modulus);
-                      nu.y_error.push_back(n->deviation);
+                      E.y_error.push_back(e.deviation / normal_modulus);
+                      nu.y_error.push_back(n.deviation);
                     }
                 }
               if (E.x.empty())
@@ -153,12 +153,12 @@ namespace apps
         {
           if (run.interrupted())
             return run.interrupted_result();
-          HomogenisationQuestion asked = model.question(iota, ratio);
-          asked.solver.ranks           = team.get();
+          HomogenisationQuestion requested = model.question(iota, ratio);
+          requested.solver.ranks           = team.get();
           SweepPoint point{iota, ratio, {}};
           for (const dem::Packing &body : bodies)
-            point.answers.push_back(homogenise(body, asked, origin));
-          run.says(fmt::format("G/E = {:<8} {}{}\n", ratio, table_of(point.answers.front(), asked),
+            point.answers.push_back(homogenise(body, requested, origin));
+          run.says(fmt::format("G/E = {:<8} {}{}\n", ratio, table_of(point.answers.front(), requested),
                                scatter_table(point.answers)));
           nlohmann::json entry = json_of(point.answers.front());
           if (point.answers.size() > 1)

@@ -54,7 +54,8 @@ namespace apps
       throw base::InputError(fmt::format("{} = {}: that would take {:.1e} steps of {:.1e} s. Check density, "
                                          "moduli and sizes: all in SI units.",
                                          timed ? "Time/End time" : "Laboratory/Speed",
-                                         timed ? what.end_time : what.laboratory.asked.speed, steps, body.time_step()));
+                                         timed ? what.end_time : what.laboratory.requested.speed, steps,
+                                         body.time_step()));
     share_among_ranks(body);
   }
 

@@ -23,7 +23,7 @@ namespace apps
     ParticlesBody(const ParticlesBody &)            = delete;
     ParticlesBody &operator=(const ParticlesBody &) = delete;
 
-    /** Before the first step: the initial equilibrium, if the scene asks for one, and then initial velocities. @throws base::InputError */
+    /** Before the first step: the initial equilibrium, if the scene requests one, and then initial velocities. @throws base::InputError */
     StaticStart start();
 
     /** At least one step, up to this time; fewer when interrupted, and when the loading of a test begins. */
@@ -38,7 +38,7 @@ namespace apps
     std::vector<double> probes() const;
     /** Numbers of the columns of the series, now. */
     std::vector<double> row() const;
-    /** Groups of section Initial velocity that nothing has touched, as far as damping lets that be told. */
+    /** Groups of section Initial velocity that nothing has touched, as far as that can be known beside damping. */
     std::vector<std::string>     untouched_groups() const;
     const dem::ObservedSpecimen &specimen() const { return body; }
     dem::Specimen               &specimen() { return body; } ///< for what is coupled with it

@@ -17,19 +17,19 @@ namespace apps
   void
   InitialVelocitySection::give(dem::Specimen &specimen, const dem::Packing &packing, const ParticleGroups &groups) const
   {
-    std::map<std::size_t, dem::AskedVelocity> asked; // by particle: later ones win
+    std::map<std::size_t, dem::PrescribedVelocity> requested; // by particle: later ones win
     for (const MotionFormulas &given : velocities)
       for (const std::size_t i : groups.at(given.group))
         {
-          dem::AskedVelocity &one = asked[i];
+          dem::PrescribedVelocity &one = requested[i];
           one = {i, value_of(given.velocity, packing.centre[i], 0), value_of(given.spin, packing.centre[i], 0)};
           for (int c = 0; c < 6; ++c)
             one.given[static_cast<std::size_t>(c)] = given.component(c).given();
         }
-    std::vector<dem::AskedVelocity> velocities_asked;
-    for (const auto &[particle, one] : asked)
-      velocities_asked.push_back(one);
-    specimen.set_velocities(velocities_asked);
+    std::vector<dem::PrescribedVelocity> prescribed;
+    for (const auto &[particle, one] : requested)
+      prescribed.push_back(one);
+    specimen.set_velocities(prescribed);
   }
 
   std::vector<std::string> InitialVelocitySection::untouched_since(const dem::ObservedSpecimen &specimen,

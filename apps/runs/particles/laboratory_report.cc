@@ -69,7 +69,7 @@ namespace apps
       found["most_kinetic_over_work"] = dem::QuasiStatic::most_kinetic;
       found["force_ratio"]            = figure(how.force_ratio, "-");
       found["strength_at_half_the_speed"] =
-        figure(slow ? slow->figures().strength : dem::Finding::none("not looked at: set Laboratory/Check speed"), "Pa");
+        figure(slow ? slow->figures().strength : dem::Finding::none("not checked: set Laboratory/Check speed"), "Pa");
       found["change_at_half_the_speed"] = figure(how.speed, "-");
       found["most_change"]              = dem::QuasiStatic::most_speed;
       found["holds"]                    = how.determined() ? nlohmann::json(how.holds()) : nlohmann::json(nullptr);
@@ -82,8 +82,7 @@ namespace apps
       std::string all;
       const auto  add = [&all](const dem::Finding &f, const double most, const char *what) {
         if (f.found && f.value >= most)
-          all += fmt::format("{}{} {:.2g} % (below {:g} % asked for)", all.empty() ? "" : ", ", what, 100 * f.value,
-                              100 * most);
+          all += fmt::format("{}{} {:.2g} % (limit {:g} %)", all.empty() ? "" : ", ", what, 100 * f.value, 100 * most);
       };
       add(how.imbalance, dem::QuasiStatic::most_imbalance, "the two forces differ by up to");
       add(how.kinetic, dem::QuasiStatic::most_kinetic, "the kinetic energy is up to");
@@ -91,7 +90,7 @@ namespace apps
       return all;
     }
 
-    /** @param top up to which it was looked at */
+    /** @param top up to which it was checked */
     std::string text_of(const dem::QuasiStatic &how, const char *top)
     {
       const auto part = [](const dem::Finding &f, const double most) {
@@ -106,7 +105,7 @@ namespace apps
                             "NO",
         top, part(how.imbalance, dem::QuasiStatic::most_imbalance), part(how.kinetic, dem::QuasiStatic::most_kinetic),
         words(how.force_ratio, 1, ""),
-        how.speed.found ? "differs by " + part(how.speed, dem::QuasiStatic::most_speed) : std::string("not looked at"));
+        how.speed.found ? "differs by " + part(how.speed, dem::QuasiStatic::most_speed) : std::string("not checked"));
     }
   } // namespace
 
@@ -146,7 +145,7 @@ namespace apps
                                          "stress_left"};
     if (test.confined())
       names.insert(names.end(), {"confining_pressure", "axial_strength"});
-    if (test.asked.seating_stress > 0)
+    if (test.requested.seating_stress > 0)
       names.emplace_back("strain_at_end_of_seating");
     if (test.published.strength > 0)
       names.emplace_back("published/strength");
@@ -164,26 +163,26 @@ namespace apps
   {
     const dem::TestFigures f = test.figures();
     nlohmann::json         found;
-    found["test"]                                                = asked.name();
-    found[strength_name(asked)]                                  = figure(f.strength, "Pa");
-    found[strength_name(asked) + std::string("_moving_average")] = figure(f.smooth_strength, "Pa");
+    found["test"]                                                    = requested.name();
+    found[strength_name(requested)]                                  = figure(f.strength, "Pa");
+    found[strength_name(requested) + std::string("_moving_average")] = figure(f.smooth_strength, "Pa");
     // Under a pressure it is what the strength is: the part above the pressure.
-    found[asked.confined() ? "largest_deviator" : "largest_stress"] = figure(f.largest_stress, "Pa");
-    found["strain_at_peak"]                                         = figure(f.strain_at_peak, "-");
-    found["young_modulus"]                                          = figure(f.modulus, "Pa");
-    found["young_modulus_by_gauges"]                                = figure(f.gauge_modulus, "Pa");
-    found["secant_modulus_to_half"]                                 = figure(f.secant_modulus, "Pa");
-    found["poisson_ratio_by_slopes"]                                = figure(f.poisson_slope, "-");
-    found["poisson_ratio"]                                          = figure(f.poisson_secant, "-");
-    found["stress_over_force"]                                      = quantity(test.stress_of_force(), "1/m^2");
+    found[requested.confined() ? "largest_deviator" : "largest_stress"] = figure(f.largest_stress, "Pa");
+    found["strain_at_peak"]                                             = figure(f.strain_at_peak, "-");
+    found["young_modulus"]                                              = figure(f.modulus, "Pa");
+    found["young_modulus_by_gauges"]                                    = figure(f.gauge_modulus, "Pa");
+    found["secant_modulus_to_half"]                                     = figure(f.secant_modulus, "Pa");
+    found["poisson_ratio_by_slopes"]                                    = figure(f.poisson_slope, "-");
+    found["poisson_ratio"]                                              = figure(f.poisson_secant, "-");
+    found["stress_over_force"]                                          = quantity(test.stress_of_force(), "1/m^2");
     found.update(fracture_json(f));
-    if (asked.published.given())
-      found["published"] = asked.published.json(f);
-    if (asked.confined())
+    if (requested.published.given())
+      found["published"] = requested.published.json(f);
+    if (requested.confined())
       {
         dem::Finding axial = f.strength;
-        axial.value += asked.asked.pressure;
-        found["confining_pressure"] = quantity(asked.asked.pressure, "Pa");
+        axial.value += requested.requested.pressure;
+        found["confining_pressure"] = quantity(requested.requested.pressure, "Pa");
         found["axial_strength"]     = figure(axial, "Pa");
       }
     if (test.parameters().seating_stress > 0)
@@ -229,12 +228,12 @@ namespace apps
       curves.push_back({"at half the speed", slower->record().values(dem::TestRecord::strain),
                         slower->record().values(dem::TestRecord::stress)});
     if (!strain.empty())
-      if (const auto line = asked.published.curve(*std::max_element(strain.begin(), strain.end()),
-                                                  *std::max_element(stress.begin(), stress.end())))
+      if (const auto line = requested.published.curve(*std::max_element(strain.begin(), strain.end()),
+                                                      *std::max_element(stress.begin(), stress.end())))
         curves.push_back(*line);
     warn_of_missing("stress_strain.png",
                     postprocess::plot(folder / "stress_strain.png",
-                                      {postprocess::stress_strain_panel(title + ", " + asked.name(), curves)}));
+                                      {postprocess::stress_strain_panel(title + ", " + requested.name(), curves)}));
   }
 
   std::string LaboratoryReport::strength_text(const dem::TestFigures &f) const
@@ -243,20 +242,21 @@ namespace apps
       return f.largest_stress.why_not;
     if (!f.strength.found)
       return fmt::format("largest {} {:.4g} MPa; the strength is not determined, {}",
-                         asked.confined() ? "deviator" : "stress", 1e-6 * f.largest_stress.value, f.strength.why_not);
-    const double      p = asked.confined() ? asked.asked.pressure : 0.0;
+                         requested.confined() ? "deviator" : "stress", 1e-6 * f.largest_stress.value,
+                         f.strength.why_not);
+    const double      p = requested.confined() ? requested.requested.pressure : 0.0;
     const std::string axial =
       fmt::format(", axial {:.4g} MPa under {:.4g} MPa", 1e-6 * (f.strength.value + p), 1e-6 * p);
     return fmt::format("{} {:.4g} MPa at strain {:.3e} (moving average {:.4g} MPa){}",
-                       asked.confined() ? "deviator strength" : "strength", 1e-6 * f.strength.value,
-                       f.strain_at_peak.value, 1e-6 * f.smooth_strength.value, asked.confined() ? axial : "");
+                       requested.confined() ? "deviator strength" : "strength", 1e-6 * f.strength.value,
+                       f.strain_at_peak.value, 1e-6 * f.smooth_strength.value, requested.confined() ? axial : "");
   }
 
   std::string LaboratoryReport::text() const
   {
     const dem::TestFigures f    = test.figures();
     const char *const      top  = f.strength.found ? "the peak" : "the largest stress";
-    std::string            text = fmt::format("test         {}: {}\n", asked.name(), strength_text(f));
+    std::string            text = fmt::format("test         {}: {}\n", requested.name(), strength_text(f));
     text +=
       fmt::format("moduli       at half {} E {}, by gauges {}, Poisson's ratio {}; from the start to there E {}, "
                   "Poisson's ratio {}\n",
@@ -267,7 +267,7 @@ namespace apps
         "fracture     work {:.4g} J/m^2 of the section, {:.4g} of it by friction, with {:.0f} % of the "
         "strength left\n",
         test.work() / test.fracture_area(), test.friction() / test.fracture_area(), 100 * test.stress_left());
-    text += asked.published.text(f);
+    text += requested.published.text(f);
     text += text_of(how_static(), top);
     return text;
   }

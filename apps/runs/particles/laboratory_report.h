@@ -19,7 +19,7 @@ namespace apps
   /** What a test of section "Laboratory" found: for programs, for the eye, for the terminal. */
   struct LaboratoryReport
   {
-    const SpecimenTestSection &asked;
+    const SpecimenTestSection &requested;
     const dem::LabTest        &test;
     const dem::LabTest        *slower = nullptr; ///< its loading at half the speed; nullptr: there was none
 

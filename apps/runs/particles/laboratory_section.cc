@@ -19,14 +19,14 @@ namespace apps
       s.refuse("Test", "a biaxial test is one of the plane, and Physics/Dimension is 3. Take the triaxial one.");
     if (test == Test::triaxial && plane)
       s.refuse("Test", "a triaxial test is one of space, and Physics/Dimension is 2. Take the biaxial one.");
-    if (test == Test::biaxial && asked.confinement == dem::LabParameters::Confinement::cylinder)
+    if (test == Test::biaxial && requested.confinement == dem::LabParameters::Confinement::cylinder)
       s.refuse("Confinement", "in the plane there are walls or a membrane, no cylinder.");
-    if (plane && asked.press.axis == 2)
+    if (plane && requested.press.axis == 2)
       s.refuse("Axis", "in two dimensions the axes are x and y.");
     const bool bodied = test == Test::bending || (test == Test::splitting && !plane);
-    if (bodied && plane && asked.press.along == 2)
+    if (bodied && plane && requested.press.along == 2)
       s.refuse("Body axis", "in two dimensions the axes are x and y.");
-    if (bodied && asked.press.along == asked.press.axis)
+    if (bodied && requested.press.along == requested.press.axis)
       s.refuse("Body axis", "is the axis of the load.");
     for (const postprocess::SeriesColumn &column : columns())
       if (std::find(other.begin(), other.end(), column.name) != other.end())
@@ -36,11 +36,11 @@ namespace apps
 
   dem::LabParameters SpecimenTestSection::parameters(const dem::Vessel &vessel, const double thickness) const
   {
-    dem::LabParameters made = asked;
+    dem::LabParameters made = requested;
     made.press.contact      = contact.materials();
     if (at_vessel && flat_platens())
       {
-        const int axis   = asked.press.axis;
+        const int axis   = requested.press.axis;
         made.press.stand = {0.0, vessel.size[axis]};
         // Across another axis a cylinder has no one section.
         if (vessel.shape == dem::Vessel::Shape::box || axis == 2)

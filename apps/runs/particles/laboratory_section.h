@@ -28,7 +28,7 @@ namespace apps
     };
 
     Test               test = Test::none;
-    dem::LabParameters asked;
+    dem::LabParameters requested;
     ContactLaw         contact; ///< of platens, walls and rollers with particles
     PublishedFigures   published;
     bool               check_speed = false; ///< load once more at half the speed, from where the loading began

@@ -46,7 +46,7 @@ namespace apps
     OutputSection           output;
     EmissionSection         emission;
     PreciceSection          precice;
-    std::string             horizontal, vertical; ///< columns of the curve, as the scene asks for them
+    std::string             horizontal, vertical; ///< columns of the curve, as the scene names them
 
     /** @throws base::InputError. */
     void check(const base::EntryPath &root) const;
@@ -78,7 +78,7 @@ namespace apps
     std::vector<postprocess::SeriesColumn> columns() const;
     std::vector<std::string>               column_names() const;
     std::vector<std::string>               names_before_test() const; ///< of probes
-    /** Of curve.png: a test of the laboratory draws its own, better one, unless the scene asks for columns. */
+    /** Of curve.png: a test of the laboratory draws its own, better one, unless the scene names columns. */
     bool draws_curve() const { return !laboratory.given() || !horizontal.empty() || !vertical.empty(); }
     /** What is over what. @throws base::InputError. */
     std::string curve_horizontal() const;

@@ -155,10 +155,10 @@ namespace apps
       for (int round = 0; round < rounds; ++round)
         {
           const Eigen::Vector3d before = found, place = now.position + 0.5 * step * before;
-          const Eigen::Vector3d asked = value_of(motion.velocity, place, time + 0.5 * step);
+          const Eigen::Vector3d requested = value_of(motion.velocity, place, time + 0.5 * step);
           for (int c = 0; c < 3; ++c)
             if (motion.component(c).given())
-              found[c] = asked[c];
+              found[c] = requested[c];
           if ((found - before).norm() <= enough * found.norm())
             break;
         }

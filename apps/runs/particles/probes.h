@@ -73,7 +73,7 @@ namespace apps
                const WallsSection            &walls) const;
   };
 
-  /** What a specimen looks like at one moment, for all probes. */
+  /** The state of a specimen at one moment, as all probes read it. */
   struct ProbedBody
   {
     const dem::ObservedSpecimen &specimen;

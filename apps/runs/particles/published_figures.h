@@ -10,7 +10,7 @@
 
 namespace apps
 {
-  /** What others found in the same test; a run is told beside it, and does not depend on it. 0: nothing is known. */
+  /** Results of others in the same test; a run is reported beside them, and does not depend on them. 0: nothing is known. */
   struct PublishedFigures
   {
     double strength = 0; ///< in the measure of the test [Pa]

@@ -11,7 +11,7 @@
 
 namespace apps
 {
-  /** What a complete run of kind "particles" tells: for programs, for the eye, for the terminal. */
+  /** Reports of a complete run of kind "particles": for programs, for the eye, for the terminal. */
   struct ParticlesReport
   {
     const RunRequest            &request;

@@ -44,8 +44,8 @@ namespace apps
     }
   }
 
-  ParticlesRun::ParticlesRun(const RunRequest &asked, const ParticlesModel &what)
-    : request(asked)
+  ParticlesRun::ParticlesRun(const RunRequest &requested, const ParticlesModel &what)
+    : request(requested)
     , model(what)
     , sampling(model.end_time, model.output)
     , rows_of_test(model.output)

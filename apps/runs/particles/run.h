@@ -62,7 +62,7 @@ namespace apps
     void   keep_start_of_loading();
     void   visit_slow(RunState &state);
     double last_time_of_slow() const { return 2 * model.last_time(); } ///< [s]
-    /** Between two looks at how far it is [s]. */
+    /** Between two reports of progress [s]. */
     double seconds_of_a_row() const { return body->specimen().time() / static_cast<double>(model.output.samples); }
     /** Rows of a test are counted anew from the beginning of its motion, and of its loading. */
     void begin_rows_of_test();
@@ -73,7 +73,7 @@ namespace apps
     /** Some further; where particles have grown up, they begin to move. */
     void grow(const Record &record);
     void open(const std::filesystem::path &folder);
-    /** The row of now: recorded, and looked at by the stop conditions. */
+    /** The row of now: recorded, and checked by the stop conditions. */
     void        record_row(const Record &record);
     std::string draw_crack(const std::filesystem::path &file) const;
 

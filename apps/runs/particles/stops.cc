@@ -17,11 +17,12 @@ namespace apps
 
   std::string StopsSection::duration_line(const double set_up, const double motion, const double end_time) const
   {
-    double looked_at = end_time;
+    double checked_until = end_time;
     for (const StopSection &stop : stops)
-      looked_at = std::min(looked_at, stop.from_time);
-    const double part = looked_at / end_time; // of one that is looked at to the end exactly 1: then it is no earlier
-    return stoppable_duration_line(set_up + motion, looked_at > 0 ? set_up + motion * part : 0);
+      checked_until = std::min(checked_until, stop.from_time);
+    const double part =
+      checked_until / end_time; // of one that is checked up to the end exactly 1: then it is no earlier
+    return stoppable_duration_line(set_up + motion, checked_until > 0 ? set_up + motion * part : 0);
   }
 
   std::string StopsSection::fulfilled(const std::vector<std::string> &columns, const std::vector<double> &row) const

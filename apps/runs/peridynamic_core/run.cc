@@ -22,9 +22,9 @@
 namespace apps
 {
   PeridynamicCoreRun::PeridynamicCoreRun(const RunRequest &requested, const PeridynamicCoreModel &what)
-    : request(requested)
+    : SampledMotion(what.end_time, what.output)
+    , request(requested)
     , model(what)
-    , sampling(what.end_time, what.output, 1e-12)
   {
   }
 
@@ -57,9 +57,9 @@ namespace apps
 
   void PeridynamicCoreRun::begin(const Record &record)
   {
-    tell(request, &RunObserver::says, lattice_lines(body->core().bonds, model.core.materials.names()));
+    notify(request, &RunObserver::says, lattice_lines(body->core().bonds, model.core.materials.names()));
     for (const std::string &doubt : body->doubts())
-      tell(request, &RunObserver::warns, doubt);
+      notify(request, &RunObserver::warns, doubt);
     record({{}, body->row(), {}});
     snapshot();
   }
@@ -68,7 +68,7 @@ namespace apps
   {
     body->visit_state(state);
     state.group("sampling");
-    sampling.visit_state(state);
+    visit_sampling(state);
     visit_snapshots(state, "solid_snapshots", solids);
     visit_snapshots(state, "node_snapshots", nodes);
   }
@@ -80,22 +80,14 @@ namespace apps
                        found.bonds);
   }
 
-  double PeridynamicCoreRun::done() const { return std::min(1.0, body->time() / model.end_time); }
-
   std::string PeridynamicCoreRun::details() const
   {
     return fmt::format("{:.4g} s, {} bonds broken", body->time(), body->core().bonds.broken());
   }
 
-  void PeridynamicCoreRun::advance(const Record &record)
-  {
-    body->advance_to(sampling.next_time());
-    if (!sampling.take(body->time())) // interrupted on the way
-      return;
-    record({{}, body->row(), {}});
-    if (sampling.snapshot_due())
-      snapshot();
-  }
+  void PeridynamicCoreRun::advance_to(const double time) { body->advance_to(time); }
+
+  void PeridynamicCoreRun::record_row(const Record &record) { record({{}, body->row(), {}}); }
 
   void PeridynamicCoreRun::snapshot()
   {

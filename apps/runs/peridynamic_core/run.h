@@ -1,10 +1,9 @@
 #pragma once
 
-#include "apps/figures/sampling.h"
-#include "apps/results/run_result.h"
-#include "apps/results/run_work.h"
-#include "apps/runs/peridynamic_core/body.h"
+#include "apps/figures/sampled_motion.h"
 #include "apps/results/run_request.h"
+#include "apps/results/run_result.h"
+#include "apps/runs/peridynamic_core/body.h"
 #include "postprocess/vtk/pvd.h"
 
 #include <memory>
@@ -18,7 +17,7 @@ namespace apps
    * In the result folder, besides what every run has (run_files.h): peridynamic_core.pvd, which shows elements and core together, with the
    * snapshots and lists of each; at the end nodes.csv of the core, curve.png, displacement.png and damage.png.
    */
-  class PeridynamicCoreRun : public RunWork
+  class PeridynamicCoreRun : public SampledMotion
   {
   public:
     PeridynamicCoreRun(const RunRequest &request, const PeridynamicCoreModel &model);
@@ -34,21 +33,17 @@ namespace apps
     void                                   visit_state(RunState &state) override;
     std::vector<postprocess::SeriesColumn> series_columns() const override { return body->columns(); }
     std::string                            size() const override;
-    std::string                            stage() const override { return "motion"; }
-    double                                 done() const override;
     std::string                            details() const override;
-    bool                                   finished() const override { return sampling.finished(); }
-    void                                   advance(const Record &record) override;
-    void                                   leave_last_state() override { snapshot(); }
+    double                                 time() const override { return body->time(); }
+    void                                   advance_to(double time) override;
+    void                                   record_row(const Record &record) override;
+    void                                   snapshot() override;
     RunFindings                            findings(const postprocess::CsvTable &series, double wall_seconds) override;
     void write_results(const std::filesystem::path &folder, const postprocess::CsvTable &series) override;
-
-    void snapshot();
 
     RunRequest                                request;
     const PeridynamicCoreModel               &model;
     std::unique_ptr<PeridynamicCoreBody>      body;
-    Sampling                                  sampling;
     std::string                               horizontal, vertical; ///< of the curve
     std::filesystem::path                     location;
     std::optional<postprocess::PvdCollection> solids, nodes;

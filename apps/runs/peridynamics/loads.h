@@ -36,7 +36,7 @@ namespace apps
     Expressions displacement;
   };
 
-  /** The loads of a body, and what is told of them. */
+  /** The loads of a body, and reports of them. */
   struct PeridynamicLoads
   {
     dem::peridynamics::Loads                                  act;

@@ -78,10 +78,14 @@ namespace apps
     const std::optional<double> factor_of_break = body.bonds.breaks() ? first.factor() : std::nullopt;
     if (!factor_of_break)
       figures["first_break"] = {
-        {"value", nullptr}, {"not_determined", body.bonds.breaks() ? "no bond is stretched at rest" : "bonds never break"}, {"unit", "Pa"}};
+        {"value", nullptr},
+        {"not_determined", body.bonds.breaks() ? "no bond is stretched at rest" : "bonds never break"},
+        {"unit", "Pa"}};
     else if (body.loads.first_traction == 0)
-      figures["first_break"] = {
-        {"value", nullptr}, {"not_determined", "there is no traction"}, {"unit", "Pa"}, {"load_factor", *factor_of_break}};
+      figures["first_break"] = {{"value", nullptr},
+                                {"not_determined", "there is no traction"},
+                                {"unit", "Pa"},
+                                {"load_factor", *factor_of_break}};
     else
       figures["first_break"] = {
         {"value", *factor_of_break * body.loads.first_traction}, {"unit", "Pa"}, {"load_factor", *factor_of_break}};
@@ -103,9 +107,10 @@ namespace apps
         factor())};
     if (restless == 0)
       return {};
-    return {fmt::format("The body did not come to rest within {} steps at the load factor {:.6g}: what is told of the "
-                        "end is a state of the relaxation. Raise Analysis/Step limit.",
-                        model.analysis.step_limit, factor())};
+    return {
+      fmt::format("The body did not come to rest within {} steps at the load factor {:.6g}: what is reported of the "
+                  "end is a state of the relaxation. Raise Analysis/Step limit.",
+                  model.analysis.step_limit, factor())};
   }
 
   void PeridynamicRest::visit_state(RunState &state)

@@ -17,8 +17,8 @@ namespace apps
 {
   namespace pd = dem::peridynamics;
 
-  PeridynamicsRun::PeridynamicsRun(const RunRequest &asked, const PeridynamicsModel &what)
-    : request(asked)
+  PeridynamicsRun::PeridynamicsRun(const RunRequest &requested, const PeridynamicsModel &what)
+    : request(requested)
     , model(what)
   {
   }
@@ -40,9 +40,9 @@ namespace apps
 
   void PeridynamicsRun::begin(const Record &record)
   {
-    tell(request, &RunObserver::says, lattice_lines(body->bonds, model.materials.names()));
+    notify(request, &RunObserver::says, lattice_lines(body->bonds, model.materials.names()));
     for (const std::string &warning : body->loads.warnings)
-      tell(request, &RunObserver::warns, warning);
+      notify(request, &RunObserver::warns, warning);
     analysis->begin(record);
     snapshot();
   }

@@ -1,7 +1,6 @@
 #include "apps/runs/quasi_static/report.h"
 
 #include "apps/figures/summary_head.h"
-#include "apps/models/tension_beyond_apex.h"
 #include "apps/process/progress.h"
 
 #include <fmt/format.h>
@@ -45,15 +44,13 @@ namespace apps
       solutions += r.solutions;
     nlohmann::json summary = summary_head(request, "quasi_static");
     summary["figures"]     = figures_of(notes_of(results));
-    summary["warnings"]    = warnings_of(notes_of(results));
-    for (const std::string &doubt : tension_beyond_apex(model.material))
-      summary["warnings"].push_back(doubt);
-    summary["cost"]   = {{"particles", test.particles_in()},
-                         {"links", test.links_in()},
-                         {"solutions", solutions},
-                         {"threads", omp_get_max_threads()},
-                         {"wall_seconds", wall_seconds}};
-    summary["energy"] = {{"balance_error", worst_balanced(results).worst_balance_error}};
+    summary["warnings"]    = warnings();
+    summary["cost"]        = {{"particles", test.particles_in()},
+                              {"links", test.links_in()},
+                              {"solutions", solutions},
+                              {"threads", omp_get_max_threads()},
+                              {"wall_seconds", wall_seconds}};
+    summary["energy"]      = {{"balance_error", worst_balanced(results).worst_balance_error}};
     test.materials.put_into(summary);
     model.mixed().put_into(summary, test.cell_edges());
     for (const QuasiStaticResult &r : results)
@@ -83,13 +80,11 @@ namespace apps
     for (const QuasiStaticResult &r : results)
       {
         text += text_of(r.notes) + test.classes.text(r.link_classes);
-        text += fmt::format("{:<12} {} points led by strain, {} by opening, {} relaxed (cascades)\n", "",
+        text += fmt::format("{:<12} {} points controlled by strain, {} by opening, {} relaxed (cascades)\n", "",
                             r.strain_points, r.opening_points, r.relaxed_points);
       }
     text += basis_of(results.front().notes);
-    text += warning_lines(notes_of(results));
-    for (const std::string &doubt : tension_beyond_apex(model.material))
-      text += fmt::format("warning      {}\n", doubt);
+    text += warning_lines(warnings());
     text += fmt::format("energy       balance error {:.1e} at worst\n", worst_balanced(results).worst_balance_error);
     text += fmt::format("cost         {} with {} threads\n", duration_text(wall_seconds), omp_get_max_threads());
     return text;

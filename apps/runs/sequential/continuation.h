@@ -29,7 +29,7 @@ namespace apps
                                    const coupling::TransferOptions &options,
                                    const std::filesystem::path     &mesh_folder);
 
-  /** Told of the state once it is in equilibrium, or when there is none near it. */
+  /** Called with the state once it is in equilibrium, or when there is none near it. */
   using TransferObserver = std::function<void(const TransferredState &)>;
 
   /**

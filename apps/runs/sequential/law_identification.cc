@@ -210,11 +210,11 @@ namespace apps
   double LawIdentification::expected_seconds(const dem::Packing &packing) const
   {
     Test                          test(model, packing, smoothed_size());
-    const dem::UniaxialParameters asked = Test::parameters(model);
+    const dem::UniaxialParameters given = Test::parameters(model);
     const double                  end   = strain_of_failure(
                          *model.particles.mixed().materials(packing.material_names).bonds_in_space(model.particles.physics), packing,
-                         asked);
-    return apps::expected_seconds(test, std::min(1.0, end / asked.stop_strain));
+                         given);
+    return apps::expected_seconds(test, std::min(1.0, end / given.stop_strain));
   }
 
   bool LawIdentification::complete(const dem::Packing          &packing,

@@ -29,7 +29,7 @@ namespace apps
     bool compresses(const ParticleEventSection &particles) const;
   };
 
-  /** A law that was found, how well it fits, and for whom. */
+  /** A law that was found, how well it fits, and its origin. */
   struct IdentifiedLaw
   {
     coupling::Identification found;

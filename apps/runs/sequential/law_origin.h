@@ -8,7 +8,7 @@
 namespace apps
 {
   /**
-   * For whom a mapping law was identified: the test, and digests of what the particles and the continuum are made of. What leaves a law
+   * What a mapping law was identified from: the test, and digests of what the particles and the continuum are made of. What leaves a law
    * as it is does not count: the size of the specimen, the seed of its packing, densities, and the size of elements.
    */
   struct LawOrigin

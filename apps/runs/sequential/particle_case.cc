@@ -40,8 +40,8 @@ namespace apps
     class RunNotes
     {
     public:
-      explicit RunNotes(const GravitySection &asked)
-        : gravity(asked)
+      explicit RunNotes(const GravitySection &requested)
+        : gravity(requested)
       {
       }
 
@@ -79,27 +79,55 @@ namespace apps
       double         seconds = 0, worst_balance = 0;
     };
 
-    class UniaxialCase : public ParticleCase
+    /** A specimen in a test. */
+    template <typename Test>
+    class ComputedCase : public ParticleCase
+    {
+    public:
+      const dem::Specimen *body() const override { return &specimen; }
+      StaticStart          settle() override { return notes.settle(specimen); }
+
+      void visit_state(base::StateVisitor &visitor) override
+      {
+        specimen.visit_state(visitor);
+        test.visit_state(visitor);
+        notes.visit_state(visitor);
+      }
+
+    protected:
+      template <typename Parameters>
+      ComputedCase(const ParticleEventSection     &event,
+                   const dem::Packing             &packing,
+                   const std::vector<std::string> &materials,
+                   const Parameters               &of_test)
+        : specimen(packing, event.specimen_parameters(), event.mixed().materials(materials))
+        , test(specimen, of_test)
+        , notes(event.gravity)
+      {
+      }
+
+      dem::Specimen specimen;
+      Test          test;
+      RunNotes      notes;
+    };
+
+    class UniaxialCase : public ComputedCase<dem::UniaxialTest>
     {
     public:
       UniaxialCase(const ParticleEventSection          &event,
                    const dem::Packing                  &packing,
                    const ParticleEventSection::Instant &when)
-        : instant(when)
-        , specimen(packing, event.specimen_parameters(), event.mixed().materials(packing.material_names))
-        , test(specimen, uniaxial_parameters(event, when.forward))
+        : ComputedCase(event, packing, packing.material_names, uniaxial_parameters(event, when.forward))
+        , instant(when)
         , back_rate(-std::copysign(event.back_rate > 0 ? event.back_rate : 0.5 * event.strain_rate, when.forward))
         , steps_forward(steps_for(when.forward, event.strain_rate))
         , steps_back(when.back ? steps_for(when.forward - *when.back, back_rate) : 0)
-        , notes(event.gravity)
       {
-        // One step more on each leg: the last sample then shows the forces of the strain asked for.
+        // One step more on each leg: the last sample then shows the forces of the prescribed strain.
       }
 
-      const dem::Specimen *body() const override { return &specimen; }
-      StaticStart          settle() override { return notes.settle(specimen); }
-      bool                 finished() const override { return specimen.steps() >= steps_forward + steps_back + 1; }
-      double               done() const override
+      bool   finished() const override { return specimen.steps() >= steps_forward + steps_back + 1; }
+      double done() const override
       {
         return std::min(1.0,
                         static_cast<double>(specimen.steps()) / static_cast<double>(steps_forward + steps_back + 1));
@@ -131,13 +159,6 @@ namespace apps
         return result;
       }
 
-      void visit_state(base::StateVisitor &visitor) override
-      {
-        specimen.visit_state(visitor);
-        test.visit_state(visitor);
-        notes.visit_state(visitor);
-      }
-
     private:
       std::int64_t steps_for(const double strain, const double rate) const
       {
@@ -145,30 +166,20 @@ namespace apps
       }
 
       ParticleEventSection::Instant instant;
-      dem::Specimen                 specimen;
-      dem::UniaxialTest             test;
       double                        back_rate;
       std::int64_t                  steps_forward, steps_back;
-      RunNotes                      notes;
     };
 
-    class ImpactCase : public ParticleCase
+    class ImpactCase : public ComputedCase<dem::ImpactTest>
     {
     public:
       ImpactCase(const ParticleEventSection &event, const dem::Packing &packing, const double velocity)
-        : parameters(with_velocity(event.impact, velocity))
-        , specimen(dem::with_impactor(packing, parameters, event.physics.dimension),
-                   event.specimen_parameters(),
-                   event.mixed().materials(packing.material_names))
-        , test(specimen, parameters)
-        , notes(event.gravity)
+        : ImpactCase(event, packing, with_velocity(event.impact, velocity))
       {
       }
 
-      const dem::Specimen *body() const override { return &specimen; }
-      StaticStart          settle() override { return notes.settle(specimen); }
-      bool                 finished() const override { return test.finished(); }
-      double               done() const override { return std::min(1.0, specimen.time() / parameters.longest); }
+      bool   finished() const override { return test.finished(); }
+      double done() const override { return std::min(1.0, specimen.time() / parameters.longest); }
 
       void advance() override
       {
@@ -187,14 +198,14 @@ namespace apps
         return result;
       }
 
-      void visit_state(base::StateVisitor &visitor) override
+    private:
+      ImpactCase(const ParticleEventSection &event, const dem::Packing &packing, const dem::ImpactParameters &impact)
+        : ComputedCase(
+            event, dem::with_impactor(packing, impact, event.physics.dimension), packing.material_names, impact)
+        , parameters(impact)
       {
-        specimen.visit_state(visitor);
-        test.visit_state(visitor);
-        notes.visit_state(visitor);
       }
 
-    private:
       static dem::ImpactParameters with_velocity(dem::ImpactParameters p, const double velocity)
       {
         p.impactor_velocity = velocity;
@@ -202,9 +213,6 @@ namespace apps
       }
 
       dem::ImpactParameters parameters;
-      dem::Specimen         specimen;
-      dem::ImpactTest       test;
-      RunNotes              notes;
     };
   } // namespace
 

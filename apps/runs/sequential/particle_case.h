@@ -19,7 +19,7 @@ namespace apps
     double              stress        = 0; ///< between the grips at the hand-over [Pa]
     double              seconds       = 0; ///< wall clock
     double              balance_error = 0;
-    StaticStart         start;                      ///< if the scene asks for one
+    StaticStart         start;                      ///< if the scene requests one
     std::vector<double> curve_strain, curve_stress; ///< uniaxial only
     dem::DiscreteState  state;
   };

@@ -80,7 +80,7 @@ namespace apps
     }
   } // namespace
 
-  /** What the transfers of a run tell, case by case; kept in OUTPUT/transfer for a run that goes on after an interrupt. */
+  /** Reports of the transfers of a run, case by case; kept in OUTPUT/transfer for a run that goes on after an interrupt. */
   class SequentialRun::TransferRecord
   {
   public:
@@ -124,19 +124,19 @@ namespace apps
     std::map<std::size_t, nlohmann::json> written; ///< in this process, by number
   };
 
-  SequentialRun::SequentialRun(const SequentialModel &what, SequentialGroundwork known, const RunRequest &asked)
+  SequentialRun::SequentialRun(const SequentialModel &what, SequentialGroundwork known, const RunRequest &requested)
     : model(what)
     , ground(std::move(known))
-    , results(asked.output_folder)
+    , results(requested.output_folder)
     , scratch(results.empty() ? std::make_unique<postprocess::ScratchFolder>("study") : nullptr)
-    , request(placed(asked, scratch.get()))
+    , request(placed(requested, scratch.get()))
     , folder(request)
     , running(folder.running())
     , options(model.transfer.chosen())
-    , particles(model.particles, running, asked.deciding_text)
+    , particles(model.particles, running, requested.deciding_text)
   {
     for (const std::string &doubt : ground.doubts)
-      tell(request, &RunObserver::warns, doubt);
+      notify(request, &RunObserver::warns, doubt);
     options.strength = model.tensile_strength();
   }
 
@@ -150,7 +150,7 @@ namespace apps
       return false;
     law         = identification.result();
     options.law = law->found.law;
-    tell(request, &RunObserver::says, law->text());
+    notify(request, &RunObserver::says, law->text());
     return true;
   }
 
@@ -201,7 +201,7 @@ namespace apps
 
   RunResult SequentialRun::ended(RunResult result) const
   {
-    tell(request, &RunObserver::ends, result);
+    notify(request, &RunObserver::ends, result);
     return result;
   }
 
@@ -221,7 +221,7 @@ namespace apps
     const auto field = coupling::particle_field(outcome.state, model.transfer.field);
     const auto note  = [&](const TransferredState &state) {
       record.write(number, outcome, field, options, state);
-      tell(request, &RunObserver::says, lines_of(outcome, field, state));
+      notify(request, &RunObserver::says, lines_of(outcome, field, state));
     };
     const base::Stopwatch watch;
     try
@@ -286,7 +286,7 @@ namespace apps
         const TransferredState        state =
           in_case(outcome, [&] { return initialise_only(model.continuum, field, options, mesh); });
         record.write(k, outcome, field, options, state);
-        tell(request, &RunObserver::says, lines_of(outcome, field, state));
+        notify(request, &RunObserver::says, lines_of(outcome, field, state));
         record.add(k, state.mesh_file);
       }
     nlohmann::json json = summary();

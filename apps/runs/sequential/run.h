@@ -37,7 +37,7 @@ namespace apps
 
     const SequentialModel                      &model;
     SequentialGroundwork                        ground;
-    std::filesystem::path                       results; ///< folder that was asked for; "": none
+    std::filesystem::path                       results; ///< requested folder; "": none
     std::unique_ptr<postprocess::ScratchFolder> scratch; ///< then
     RunRequest                                  request;
     StudyFolder                                 folder;

@@ -18,16 +18,16 @@ namespace apps
     }
   } // namespace
 
-  StudyFolder::StudyFolder(const RunRequest &asked)
-    : request(asked)
-    , folder(opened(asked))
+  StudyFolder::StudyFolder(const RunRequest &requested)
+    : request(requested)
+    , folder(opened(requested))
   {
     const std::filesystem::path mark = folder.running() / checkpoint_name;
     if (request.resume)
       require_same_content(request.inputs, postprocess::numeric_text::read_whole(mark));
     postprocess::write_text(folder.running() / "scene.prm", request.scene_text);
     postprocess::write_text(mark, listed(request.inputs)); // states and continuations have checkpoints of their own
-    tell(request, &RunObserver::saved, way_to_go_on(request));
+    notify(request, &RunObserver::saved, way_to_go_on(request));
   }
 
   RunResult StudyFolder::interrupted() const

@@ -55,7 +55,7 @@ namespace apps
     WedgeSplittingSection     wedge_splitting;
     std::int64_t              snapshot_interval   = 20; ///< points of the path
     double                    checkpoint_interval = 600;
-    std::string               horizontal, vertical; ///< columns of the curve, as the scene asks for them
+    std::string               horizontal, vertical; ///< columns of the curve, as the scene names them
 
     /** @throws base::InputError */
     void check(const base::EntryPath &root) const;

@@ -59,7 +59,7 @@ namespace apps
     Numbers                                 awake;   ///< numbers in the packing of the structure's particles
     std::optional<dem::LoadedNetwork>   whole; ///< of the packing, with the bonds that particles in elements would have
     std::unique_ptr<dem::DamagingLinks> bonds; ///< of the whole, as if never damaged
-    coupling::PlaceMotions              in_solid; ///< of all particles of the packing, at the last point looked at
-    std::unique_ptr<Structure>          now;
+    coupling::PlaceMotions     in_solid;       ///< of all particles of the packing, at the last point that was checked
+    std::unique_ptr<Structure> now;
   };
 } // namespace apps

@@ -51,7 +51,7 @@ namespace apps
     std::vector<postprocess::SeriesColumn> columns() const;
     /** Columns that the summary reports. */
     std::vector<postprocess::SeriesColumn> reported() const;
-    /** Columns of the curve. @throws base::InputError where the scene asks for one that there is not */
+    /** Columns of the curve. @throws base::InputError where the scene names one that does not exist */
     std::pair<std::string, std::string> curve() const;
     SeriesRow                           row() const; ///< of the last point
     /** @throws StoppedShort where more of an overlap is damaged than its limit */

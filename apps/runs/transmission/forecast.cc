@@ -13,7 +13,7 @@ namespace apps
   std::string forecast(const TransmissionModel &model)
   {
     start_mpi();
-    // The shortest packet tells; cost grows with the square of the length.
+    // The shortest packet decides; cost grows with the square of the length.
     const auto            all      = model.wavelengths;
     const double          shortest = *std::min_element(all.begin(), all.end());
     const base::Stopwatch watch;

@@ -21,14 +21,15 @@ namespace apps
 {
   namespace
   {
-    double expected_end(const UniaxialModel &asked, const dem::Packing &packing, const UniaxialLoad load)
+    double expected_end(const UniaxialModel &requested, const dem::Packing &packing, const UniaxialLoad load)
     {
-      const dem::UniaxialParameters test = asked.loading.parameters(load);
-      if (!asked.physics.damage)
+      const dem::UniaxialParameters test = requested.loading.parameters(load);
+      if (!requested.physics.damage)
         return test.stop_strain;
-      return std::min(test.stop_strain,
-                      strain_of_failure(*asked.mixed().materials(packing.material_names).bonds_in_space(asked.physics),
-                                        packing, test));
+      return std::min(
+        test.stop_strain,
+        strain_of_failure(*requested.mixed().materials(packing.material_names).bonds_in_space(requested.physics),
+                          packing, test));
     }
 
     /** Rows and snapshots of a test that goes to its stop strain. */
@@ -53,43 +54,44 @@ namespace apps
     }
   } // namespace
 
-  std::string forecast(const UniaxialModel &asked, const std::size_t ranks)
+  std::string forecast(const UniaxialModel &requested, const std::size_t ranks)
   {
     const base::Stopwatch set_up;
-    const dem::Packing    uncut     = asked.packing();
-    const JointedPacking  jointed   = asked.jointed(uncut);
+    const dem::Packing    uncut     = requested.packing();
+    const JointedPacking  jointed   = requested.jointed(uncut);
     const dem::Packing   &packing   = jointed.packing();
-    const auto            materials = jointed.materials(asked.mixed().materials(packing.material_names));
-    dem::Specimen         body(packing, asked.specimen(), materials);
+    const auto            materials = jointed.materials(requested.mixed().materials(packing.material_names));
+    dem::Specimen         body(packing, requested.specimen(), materials);
     const double          set_up_seconds = set_up.seconds();
     std::string           text;
     text += fmt::format("  particles    {}\n", body.counts().particles);
     text += fmt::format("  links        {}\n", body.counts().links);
-    text += extent_lines(packing, asked.physics.dimension);
-    text += lines_of_tension_beyond_apex(asked.material);
+    text += extent_lines(packing, requested.physics.dimension);
+    text += lines_of_tension_beyond_apex(requested.material);
     text += MaterialCounts(packing.material_names, body).text();
     text += jointed.text();
     text += fmt::format("  time step    {:.4g} s = {} of the bound of its particles\n", body.time_step(),
-                        asked.time.step_factor);
+                        requested.time.step_factor);
     text += fmt::format("               {:.4g} s would be critical: sharp, by the largest eigenvalue\n",
                         body.critical_step());
     text += fmt::format("  memory       {} for particles and links\n", megabytes(body.bytes()));
     double steps = 0, expected = 0, parts = 0; // parts of the way to the stop strain, of all tests
     double cost = 0;
-    for (const UniaxialLoad load : asked.loading.tests)
+    for (const UniaxialLoad load : requested.loading.tests)
       {
         // Refuses what a run would refuse.
-        dem::Specimen      fresh(packing, asked.specimen(), materials);
-        dem::UniaxialTest  test(fresh, asked.loading.parameters(load));
-        const std::int64_t most = most_steps(asked.loading, load, fresh.time_step());
-        if (load == asked.loading.tests.front()) // the grips hold alike in all of them
+        dem::Specimen      fresh(packing, requested.specimen(), materials);
+        dem::UniaxialTest  test(fresh, requested.loading.parameters(load));
+        const std::int64_t most = most_steps(requested.loading, load, fresh.time_step());
+        if (load == requested.loading.tests.front()) // the grips hold alike in all of them
           {
-            text += fmt::format("  basis        {}\n", text_of(test.grip_layers(), asked.loading.grips.parameters()));
-            if (const StaticStart start = start_statically(fresh, asked.gravity))
+            text +=
+              fmt::format("  basis        {}\n", text_of(test.grip_layers(), requested.loading.grips.parameters()));
+            if (const StaticStart start = start_statically(fresh, requested.gravity))
               text += fmt::format("  start        {}\n", text_of(*start));
             cost = seconds_per_step(fresh, [&](const std::int64_t count) { test.advance(count); });
           }
-        const double part = expected_end(asked, packing, load) / asked.loading.parameters(load).stop_strain;
+        const double part = expected_end(requested, packing, load) / requested.loading.parameters(load).stop_strain;
         steps += static_cast<double>(most);
         expected += static_cast<double>(most) * part;
         parts += part;
@@ -97,8 +99,8 @@ namespace apps
       }
     if (ranks > 0)
       text += rank_lines(body, ranks, cost);
-    const double writing = writing_seconds_of_test(body, asked.output);
-    const double tests   = static_cast<double>(asked.loading.tests.size());
+    const double writing = writing_seconds_of_test(body, requested.output);
+    const double tests   = static_cast<double>(requested.loading.tests.size());
     return text + duration_line(set_up_seconds + expected * cost + parts * writing,
                                 set_up_seconds + steps * cost + tests * writing);
   }

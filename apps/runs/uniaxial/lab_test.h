@@ -42,7 +42,7 @@ namespace apps
     UniaxialLabTest(const UniaxialLabTest &)            = delete;
     UniaxialLabTest &operator=(const UniaxialLabTest &) = delete;
 
-    /** Find the initial equilibrium, if the scene asks for one; not of a test that goes on from a checkpoint. @throws base::InputError */
+    /** Find the initial equilibrium, if the scene requests one; not of a test that goes on from a checkpoint. @throws base::InputError */
     void settle();
     /** From now on snapshots go to this folder; without this call there are none. @throws postprocess::OutputError. */
     void open(const std::filesystem::path &folder);
@@ -92,6 +92,6 @@ namespace apps
     SpecimenSnapshots snapshots;
     SidewaysStrain    sideways;
     bool              zone_wanted;
-    FractureZone      zone; ///< told of where it is wanted
+    FractureZone      zone; ///< updated where it is wanted
   };
 } // namespace apps

@@ -3,7 +3,6 @@
 #include "apps/figures/emission_figures.h"
 #include "apps/figures/energy_terms.h"
 #include "apps/figures/summary_head.h"
-#include "apps/models/tension_beyond_apex.h"
 #include "apps/process/progress.h"
 #include "apps/specimens/left_out_of_balance.h"
 #include "apps/specimens/link_classes.h"
@@ -63,9 +62,7 @@ namespace apps
         if (result.fracture_zone_width > 0)
           summary["figures"][result.notes.name + "_fracture_zone_width"] = quantity(result.fracture_zone_width, "m");
       }
-    summary["warnings"] = warnings_of(notes_of(results));
-    for (const std::string &doubt : tension_beyond_apex(model.material))
-      summary["warnings"].push_back(doubt);
+    summary["warnings"]         = warnings();
     summary["cost"]             = {{"particles", first.at_start.particles},
                                    {"links", first.at_start.links},
                                    {"steps", steps},
@@ -112,9 +109,7 @@ namespace apps
       if (result.fracture_zone_width > 0)
         text += fmt::format("{:<12} fracture zone {:.4g} m wide\n", result.notes.name, result.fracture_zone_width);
     text += basis_of(results.front().notes);
-    text += warning_lines(notes_of(results));
-    for (const std::string &doubt : tension_beyond_apex(model.material))
-      text += fmt::format("warning      {}\n", doubt);
+    text += warning_lines(warnings());
     if (const StaticStart &start = results.front().start)
       text += fmt::format("start        {}\n", text_of(*start));
     text += fmt::format("energy       balance error {:.1e} at worst\n", worst_balanced(results).worst_balance_error);

@@ -1,25 +1,18 @@
 #pragma once
 
-#include "apps/results/run_request.h"
+#include "apps/figures/complete_lab_run.h"
 #include "apps/runs/uniaxial/lab_test.h"
 
 #include <nlohmann/json_fwd.hpp>
 
 #include <filesystem>
 #include <string>
-#include <vector>
 
 namespace apps
 {
-  /** What a complete uniaxial run tells: for programs, for the eye, for the terminal. */
-  struct UniaxialReport
+  /** Reports of a complete uniaxial run: for programs, for the eye, for the terminal. */
+  struct UniaxialReport : CompleteLabRun<UniaxialLabTest>
   {
-    const RunRequest                  &request;
-    const UniaxialModel               &model;
-    const std::vector<UniaxialResult> &results; ///< in the order of the tests, at least one
-    const UniaxialLabTest             &test;    ///< the last one
-    double                             wall_seconds;
-
     /** summary.json: figures, cost, energy, and the same for each test. */
     nlohmann::json summary() const;
     /** curve.png. @return what went wrong, "" if nothing. */

@@ -28,7 +28,7 @@ namespace apps
     base::Column       strain, stress;       ///< the curve, tension positive; filled when the test has ended
     base::Column       link_classes;         ///< figures of LinkClasses, likewise
     base::Column       emission;             ///< row of EmissionFigures, likewise
-    double fracture_zone_width = 0; ///< [m], likewise; 0: not asked for, or nothing is dissipated after the peak
+    double fracture_zone_width = 0; ///< [m], likewise; 0: not requested, or nothing is dissipated after the peak
 
     /** Everything that a resumed run must still know of this test. */
     void visit_state(base::StateVisitor &visitor);

@@ -17,7 +17,7 @@ namespace apps
   {
     void declare_loading(Section &root, CellModel &model)
     {
-      Section &section = root.section("Loading", "The path that the cell is led along, leg by leg");
+      Section &section = root.section("Loading", "The path along which the cell is driven, leg by leg");
       section.integer("Legs", model.legs, "", Range::between(1, CellModel::most_legs), Need::optional)
         .means("Legs of the path");
       section.number("Servo time", model.servo_time, "-", Range::positive(), Need::optional)

@@ -26,7 +26,7 @@ namespace apps
       .means("Local (Cundall) damping of their motion about the cell's")
       .only_if(in_motion, when);
     block.integer("Particle steps", cells.steps, "", Range::between(0, 1e6), Need::optional)
-      .means("In one of the solid; 0: as many as their stable step asks for, and two at least: in the last one the "
+      .means("In one of the solid; 0: as many as their stable step requires, and two at least: in the last one the "
              "cell stays as it "
              "is, so that its stress is that of the new strain. 1: the stress is one step old, as published")
       .only_if(in_motion, when);
@@ -50,7 +50,7 @@ namespace apps
       .means(
         "What becomes of a cell whose tangent has lost ellipticity; in motion, one whose damage has gathered in a "
         "band since its stress began to fall. stop: the run ends with that state; crack "
-        "band: it goes on as a layer of its element, the rest of which unloads; refuse: the solver looks for "
+        "band: it goes on as a layer of its element, the rest of which unloads; refuse: the solver seeks "
         "another state with shorter steps; go on: what follows depends on the size of the elements. In motion stop "
         "or go on");
     block.flag("Rotations", cells.rotations).means("Particles spin; off: they only translate");

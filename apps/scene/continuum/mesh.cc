@@ -48,13 +48,13 @@ namespace apps
       Section &s   = mesh.section("Notched beam", "Along x from the origin, notched from below at mid-span; boundaries "
                                                     "left, right, bottom, top, back, front, notch");
       s.only_if([&model] { return model.source == Source::notched_beam; }, "Mesh/Source = notched beam");
-      const auto solid  = [&dimension] { return dimension == 3; };
-      const auto length = [&](const char *name, double &member, const char *meaning) -> Entry & {
+      const Condition solid{[&dimension] { return dimension == 3; }, "Model/Dimension = 3"};
+      const auto      length = [&](const char *name, double &member, const char *meaning) -> Entry      &{
         return s.number(name, member, "m", Range::positive(), Need::required).means(meaning);
       };
       length("Length", model.beam.length, "Along x");
       length("Height", model.beam.height, "Along y");
-      length("Width", model.beam.width, "Along z").only_if(solid, "Model/Dimension = 3");
+      length("Width", model.beam.width, "Along z").only_if(solid);
       length("Span", model.beam.span, "Between the supports, at whose places there are nodes");
       length("Notch depth", model.beam.notch_depth, "From below");
       length("Notch width", model.beam.notch_width, "There are nodes at both edges of its mouth");
@@ -63,7 +63,7 @@ namespace apps
       length("Coarse size", model.beam.coarse_size, "Largest edge along x beside the band");
       s.integer("Width divisions", model.beam_width_divisions, "", Range::between(1, 1e4), Need::optional)
         .means("Elements across")
-        .only_if(solid, "Model/Dimension = 3");
+        .only_if(solid);
     }
 
     void declare_plate(Section &mesh, MeshSection &model, const int &dimension)
@@ -73,22 +73,20 @@ namespace apps
         mesh.section("Plate with hole", "A quarter, around the origin; boundaries hole, left (x = 0), bottom "
                                         "(y = 0), right, top, back, front");
       s.only_if([&model] { return model.source == Source::plate_with_hole; }, "Mesh/Source = plate with hole");
-      const auto solid = [&dimension] { return dimension == 3; };
+      const Condition solid{[&dimension] { return dimension == 3; }, "Model/Dimension = 3"};
       s.number("Radius", model.plate.radius, "m", Range::positive(), Need::required).means("Of the hole");
       s.number("Half width", model.plate.half_width, "m", Range::positive(), Need::required)
         .means("Of the whole plate");
       s.number("Half height", model.plate.half_height, "m", Range::positive(), Need::required)
         .means("Of the whole plate");
-      s.number("Depth", model.plate.depth, "m", Range::positive(), Need::required)
-        .means("Along z")
-        .only_if(solid, "Model/Dimension = 3");
+      s.number("Depth", model.plate.depth, "m", Range::positive(), Need::required).means("Along z").only_if(solid);
       s.integer("Radial divisions", model.radial_divisions, "", Range::between(1, 1e4), Need::optional)
         .means("Elements from the hole to the edge");
       s.integer("Angular divisions", model.angular_divisions, "", Range::between(2, 1e4), Need::optional)
         .means("Elements around the hole, an even number");
       s.integer("Depth divisions", model.depth_divisions, "", Range::between(1, 1e4), Need::optional)
         .means("Elements along z")
-        .only_if(solid, "Model/Dimension = 3");
+        .only_if(solid);
     }
   } // namespace
 
@@ -119,10 +117,10 @@ namespace apps
 
   void declare(Section &root, MeshSection &mesh, const int &dimension)
   {
-    using Source     = MeshSection::Source;
-    const auto from  = [&mesh](const Source wanted) { return [&mesh, wanted] { return mesh.source == wanted; }; };
-    const auto built = [&mesh] { return mesh.source != Source::file; };
-    Section   &s     = root.section("Mesh", "The elements: where they come from");
+    using Source         = MeshSection::Source;
+    const auto      from = [&mesh](const Source wanted) { return [&mesh, wanted] { return mesh.source == wanted; }; };
+    const Condition built{[&mesh] { return mesh.source != Source::file; }, "Mesh/Source is not file"};
+    Section        &s = root.section("Mesh", "The elements: where they come from");
     s.choice("Source", mesh.source,
              {{"file", Source::file},
               {"box", Source::box},
@@ -149,10 +147,10 @@ namespace apps
              {{"blocks", fem::ElementFamily::hypercube}, {"simplices", fem::ElementFamily::simplex}}, Need::optional)
       .means("blocks: quadrilaterals or hexahedra; simplices: 8 triangles in place of each quadrilateral, 24 "
              "tetrahedra of each hexahedron")
-      .only_if(built, "Mesh/Source is not file");
+      .only_if(built);
     s.integer("Refinements", mesh.refinements, "", Range::between(0, 12), Need::optional)
       .means("Each halves every edge")
-      .only_if(built, "Mesh/Source is not file");
+      .only_if(built);
 
     Section &box = s.section("Box", "From the origin; boundaries left, right, or x min, x max; bottom, top, or y min, "
                                     "y max; back, front, or z min, z max");

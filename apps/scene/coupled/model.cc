@@ -30,7 +30,7 @@ namespace apps
       time.flag("Checked windows", model.checked_windows)
         .means("A window of several steps that has lost more than half of what Sub-cycling loss still allows is taken "
                "back, and again with shorter ones: for what hits hard, where the loss of the next window cannot be "
-               "told from the last. Costs a copy of the state in each")
+               "known from the last. Costs a copy of the state in each")
         .only_if([&model] { return model.largest_ratio > 1; }, "Largest ratio > 1");
     }
   } // namespace

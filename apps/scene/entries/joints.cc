@@ -26,7 +26,7 @@ namespace apps
           "plane: through all of the specimen; disc: as far as Radius from Place, in two dimensions a piece of a "
           "line; corners: a polygon, in two dimensions segments from corner to corner; random: a network of discs");
       section.vector("Place", set.place, "m", Range(), Need::required)
-        .means("On the joint, of a disc its centre. In two dimensions the third component is not looked at")
+        .means("On the joint, of a disc its centre. In two dimensions the third component is ignored")
         .only_if(is(Shape::plane, Shape::disc), shape + "plane or disc");
       section.number("Radius", set.radius, "m", Range::positive(), Need::required)
         .means("Of discs, or half the length of pieces of a line")
@@ -37,7 +37,7 @@ namespace apps
           "the mean")
         .only_if(dips, shape + "plane, disc or random");
       section.number("Dip direction", set.dip_direction, "degrees", Range::between(-360, 360), Need::optional)
-        .means("Towards which it dips, from x towards y; in two dimensions not looked at")
+        .means("Towards which it dips, from x towards y; in two dimensions ignored")
         .only_if(dips, shape + "plane, disc or random");
       declare_list(
         section, "Corners", [&set](const std::string &text) { set.corners = corners_in_text(text); }, "m",
@@ -68,9 +68,7 @@ namespace apps
   {
     Section &section = root.find_section("Specimen")
                          ->section("Joints", "One sub-section per joint, or set of joints of the same constants");
-    section.named_sections("JOINT", [&joints](Section &opened) {
-      JointSet &added = joints.sets.emplace_back();
-      added.name      = opened.name();
+    section.named_list("JOINT", joints.sets, &JointSet::name, [](Section &opened, JointSet &added) {
       opened.text("Material", added.material, Need::optional)
         .means("Name of a section in Joint materials; empty: its own constants, in section smooth-joint");
       declare_place(opened, added);

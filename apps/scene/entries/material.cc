@@ -107,23 +107,20 @@ namespace apps
     Section &several = root.section(
       "Materials", "One sub-section per material; a link between particles of two takes the means of their constants");
     several.only_if([&material] { return !material.named.empty(); }, "there are several materials");
-    several.named_sections("MATERIAL", [&material, inertia](Section &opened) {
-      NamedMaterial &added = material.named.emplace_back();
-      added.name           = opened.name();
-      declare(opened, added.law);
-      if (inertia)
-        opened.number("Density", added.density, "kg/m^3", Range::at_least(0), Need::optional)
-          .means("Of its particles, not of the bulk; 0: Specimen/Density");
-    });
+    several.named_list("MATERIAL", material.named, &NamedMaterial::name,
+                       [inertia](Section &opened, NamedMaterial &added) {
+                         declare(opened, added.law);
+                         if (inertia)
+                           opened.number("Density", added.density, "kg/m^3", Range::at_least(0), Need::optional)
+                             .means("Of its particles, not of the bulk; 0: Specimen/Density");
+                       });
 
     Section &between =
       root.section("Interfaces", "One sub-section per pair of materials whose links do not take the means");
     between.only_if([&material] { return !material.interfaces.empty(); }, "there are several materials");
-    between.named_sections("INTERFACE", [&material](Section &opened) {
-      MaterialInterface &added = material.interfaces.emplace_back();
-      added.name               = opened.name();
-      declare(opened, added, material.named);
-    });
+    between.named_list(
+      "INTERFACE", material.interfaces, &MaterialInterface::name,
+      [&material](Section &opened, MaterialInterface &added) { declare(opened, added, material.named); });
 
     declare_regions(root, material.regions, "particles");
   }

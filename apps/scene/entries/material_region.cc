@@ -22,10 +22,6 @@ namespace apps
     Section &places =
       root.section("Regions", "One sub-section per region whose " + of + " are of a material; later ones win");
     places.only_if([&regions] { return !regions.empty(); }, "there are several materials");
-    places.named_sections("REGION", [&regions](Section &opened) {
-      MaterialRegion &added = regions.emplace_back();
-      added.name            = opened.name();
-      declare(opened, added);
-    });
+    places.named_list("REGION", regions, &MaterialRegion::name);
   }
 } // namespace apps

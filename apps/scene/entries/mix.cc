@@ -11,9 +11,7 @@ namespace apps
     void declare_amounts(Section &section, MixSection &mix)
     {
       Section &of = section.section("Constituents", "One sub-section per material of a cubic metre of fresh concrete");
-      of.named_sections("CONSTITUENT", [&mix](Section &opened) {
-        MixConstituent &added = mix.constituents.emplace_back();
-        added.name            = opened.name();
+      of.named_list("CONSTITUENT", mix.constituents, &MixConstituent::name, [](Section &opened, MixConstituent &added) {
         opened.number("Mass", added.mass, "kg/m^3", Range::at_least(0), Need::required).means("Per volume of concrete");
         opened.number("Density", added.density, "kg/m^3", Range::positive(), Need::required)
           .means("Of the material itself");

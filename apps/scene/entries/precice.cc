@@ -21,8 +21,8 @@ namespace apps
     };
     data("Read force", precice.reads.force, "Data that push the vertices during each time window [N]");
     data("Read displacement", precice.reads.displacement,
-         "Data by which the vertices are led, since the start of the coupling [m]");
-    data("Read velocity", precice.reads.velocity, "Data by which the vertices are led [m/s]");
+         "Data that prescribe the vertices' displacement since the start of the coupling [m]");
+    data("Read velocity", precice.reads.velocity, "Data that prescribe the vertices' velocity [m/s]");
     data("Write force", precice.writes.force,
          "Data that become the body's force on what leads it [N], without the inertia of the vertices");
     data("Write displacement", precice.writes.displacement,

@@ -4,11 +4,11 @@
 
 namespace apps
 {
-  void declare(Section &section, Region &region, const std::function<bool()> &asked, const std::string &words)
+  void declare(Section &section, Region &region, const std::function<bool()> &requested, const std::string &words)
   {
     using Shape     = Region::Shape;
     const auto when = [&](Entry &entry, const std::function<bool()> &holds, const std::string &shapes) {
-      entry.only_if([asked, holds] { return (!asked || asked()) && holds(); },
+      entry.only_if([requested, holds] { return (!requested || requested()) && holds(); },
                     (words.empty() ? "" : words + " and ") + "Shape = " + shapes);
     };
     const auto is = [&region](const Shape wanted) { return [&region, wanted] { return region.shape == wanted; }; };
@@ -20,8 +20,8 @@ namespace apps
                 Need::optional)
         .means("box: along the axes, between two corners; sphere: about a centre; cylinder: about an axis between two "
                "places. In two dimensions a rectangle, circle or strip");
-    if (asked)
-      chosen.only_if(asked, words);
+    if (requested)
+      chosen.only_if(requested, words);
     when(section.vector("Lower", region.lower, "m", Range(), Need::required)
            .means("Corner of the box with the least coordinates"),
          is(Shape::box), "box");

@@ -6,7 +6,7 @@ namespace apps
 {
   class Section;
 
-  /** @param asked whether there is a region at all, @param words the same in words; both may be left out: always. */
+  /** @param requested whether there is a region at all, @param words the same in words; both may be left out: always. */
   void
-  declare(Section &section, Region &region, const std::function<bool()> &asked = {}, const std::string &words = "");
+  declare(Section &section, Region &region, const std::function<bool()> &requested = {}, const std::string &words = "");
 } // namespace apps

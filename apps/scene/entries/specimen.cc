@@ -97,7 +97,7 @@ namespace apps
           "Edges of the specimen: particles that lie wholly inside are kept; a periodic packing is repeated until "
           "it covers the box. "
           "May be left out for a file: its particles are then taken as they are. In two dimensions the third edge is "
-          "not looked at")
+          "ignored")
         .only_if(boxed,
                  use.cell ? "Specimen/Source = generator and Specimen/Body = box" : "Specimen/Source = generator");
     if (use.inertia)
@@ -114,7 +114,7 @@ namespace apps
       .notes(specimen.says_distance)
       .means(use.other_particles ?
                "iota: particles closer than iota times the sum of their radii are linked, if the law bonds them; "
-               "about 1.5 for concrete. A law without bonds does not ask for it" :
+               "about 1.5 for concrete. A law without bonds does not need it" :
                "iota: particles closer than iota times the sum of their radii are linked; a constant of the material "
                "model, about 1.5");
     if (use.other_particles)

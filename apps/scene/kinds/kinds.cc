@@ -60,7 +60,7 @@ namespace apps
     std::vector<SceneKind> &known_kinds()
     {
       static std::vector<SceneKind> kinds = {
-        {"cell", "a periodic cell led in time along a path of strains and stresses", make_scene<CellModel, true>},
+        {"cell", "a periodic cell driven in time along a path of strains and stresses", make_scene<CellModel, true>},
         {"continuum", "a solid of finite elements, static past its peak or explicit", make_scene<ContinuumModel, true>},
         {"coupled", "particles and a solid of finite elements that touch, in motion", make_scene<CoupledModel, true>},
         {"homogenisation", "macroscopic stiffness of periodic packings, swept over link parameters",
@@ -75,7 +75,7 @@ namespace apps
          make_scene<QuasiStaticModel>},
         {"sequential", "an event by particles, handed over to a continuum that carries on",
          make_scene<SequentialModel>},
-        {"structure", "particles, and a solid around them, led along their equilibria without inertia",
+        {"structure", "particles, and a solid around them, along their equilibria without inertia",
          make_scene<StructureModel>},
         {"transmission", "packets of waves that run through particles and on into a continuum",
          make_scene<TransmissionModel>},

@@ -138,7 +138,7 @@ namespace apps
     {
       if (!section.needed())
         return;
-      std::error_code none; // a file that is missing is refused by who reads it
+      std::error_code none; // a file that is missing is refused where it is read
       for (const auto &entry : section.entries())
         if (entry->set && entry->needed())
           for (const std::filesystem::path &file : files_of(*entry))

@@ -35,7 +35,7 @@ namespace apps
   /** The request for a run of the scene, without resuming and the changes as typed. */
   RunRequest request_of(const CheckedScene &scene);
 
-  /** The files that entries of a scene name, or of a study; those that are missing are refused by who reads them. */
+  /** The files that entries of a scene name, or of a study; those that are missing are refused where they are read. */
   std::vector<InputFile> inputs_of(const Section &root);
 
   /** The parameters of a kind, unread: what `breccia describe` shows. @throws base::InputError for an unknown kind. */

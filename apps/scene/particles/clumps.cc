@@ -12,9 +12,7 @@ namespace apps
       .section("Clumps",
                "One sub-section per group whose particles move as one rigid body, named after the group: they "
                "keep their distances, and neither bonds nor contacts are between them")
-      .named_sections("GROUP", [&clumps](Section &opened) {
-        ClumpSection &added = clumps.clumps.emplace_back();
-        added.group         = opened.name();
+      .named_list("GROUP", clumps.clumps, &ClumpSection::group, [](Section &opened, ClumpSection &added) {
         declare_list(
           opened, "Corners", [&added](const std::string &text) { added.corners = corners_in_text(text); }, "m",
           Need::optional)

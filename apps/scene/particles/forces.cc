@@ -11,9 +11,7 @@ namespace apps
     root
       .section("Forces", "One sub-section per group that is pushed from outside, named after the group; of groups with "
                          "the same particle all count")
-      .named_sections("GROUP", [&forces](Section &opened) {
-        GroupForce &added = forces.forces.emplace_back();
-        added.group       = opened.name();
+      .named_list("GROUP", forces.forces, &GroupForce::group, [](Section &opened, GroupForce &added) {
         declare_components(opened, "Force", added.force, "N",
                            "On each particle of the group, by its place x, y, z and time t; empty: none");
       });

@@ -31,10 +31,6 @@ namespace apps
   void declare(Section &root, GroupsSection &groups)
   {
     root.section("Groups", "One sub-section per group of particles; the group \"all\" is always there")
-      .named_sections("GROUP", [&groups](Section &opened) {
-        GroupSection &added = groups.groups.emplace_back();
-        added.name          = opened.name();
-        declare(opened, added);
-      });
+      .named_list("GROUP", groups.groups, &GroupSection::name);
   }
 } // namespace apps

@@ -12,12 +12,11 @@ namespace apps
                "One sub-section per group that moves at the start, named after the group; of two groups with the same "
                "particle the later one counts. A rigid body takes the motion that is nearest to the velocities of its "
                "particles, by their masses")
-      .named_sections("GROUP", [&initial_velocity](Section &opened) {
-        MotionFormulas &added = initial_velocity.velocities.emplace_back();
-        added.group           = opened.name();
-        declare(opened, added,
-                "At the start, by the place of each particle; empty: none, and of a rigid body's "
-                "particles whatever the other components make of it");
-      });
+      .named_list("GROUP", initial_velocity.velocities, &MotionFormulas::group,
+                  [](Section &opened, MotionFormulas &added) {
+                    declare(opened, added,
+                            "At the start, by the place of each particle; empty: none, and of a rigid body's "
+                            "particles whatever the other components make of it");
+                  });
   }
 } // namespace apps

@@ -32,7 +32,7 @@ namespace apps
       Section &section = *root.find_section("Output");
       Entry   &samples = *section.find_entry("Samples");
       samples.means("Rows of series.csv from the start to the end time, besides that of the start; stop conditions are "
-                    "looked at with each. A test of section Laboratory has so many during its ramp and again from the "
+                    "checked with each. A test of section Laboratory has so many during its ramp and again from the "
                     "beginning of the loading; whenever it has lasted twice as long, they lie twice as far apart");
       samples.decides = true; // when a stop condition is seen
       section.find_entry("Snapshots")

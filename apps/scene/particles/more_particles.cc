@@ -48,10 +48,6 @@ namespace apps
       .section("More particles",
                "One sub-section per sphere, packing or rigid body of pebbles beside the specimen; each "
                "is a group of its name as well")
-      .named_sections("PARTICLES", [&more_particles](Section &opened) {
-        AddedParticles &one = more_particles.added.emplace_back();
-        one.name            = opened.name();
-        declare(opened, one);
-      });
+      .named_list("PARTICLES", more_particles.added, &AddedParticles::name);
   }
 } // namespace apps

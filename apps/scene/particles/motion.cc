@@ -29,10 +29,6 @@ namespace apps
   void declare(Section &root, PrescribedMotionSection &prescribed_motion)
   {
     root.section("Motion", "One sub-section per group whose motion is prescribed, named after the group")
-      .named_sections("GROUP", [&prescribed_motion](Section &opened) {
-        PrescribedFormulas &added = prescribed_motion.motions.emplace_back();
-        added.group               = opened.name();
-        declare(opened, added);
-      });
+      .named_list("GROUP", prescribed_motion.motions, &PrescribedFormulas::group);
   }
 } // namespace apps

@@ -61,10 +61,6 @@ namespace apps
   void declare(Section &root, ProbesSection &probes)
   {
     root.section("Probes", "One sub-section per number that is measured; its name is that of a column of series.csv")
-      .named_sections("PROBE", [&probes](Section &opened) {
-        ProbeSection &added = probes.probes.emplace_back();
-        added.name          = opened.name();
-        declare(opened, added);
-      });
+      .named_list("PROBE", probes.probes, &ProbeSection::name);
   }
 } // namespace apps

@@ -13,7 +13,7 @@ namespace apps
         .housekeeping();
     };
     one("Published strength", published_figures.strength, "Pa",
-        "That others found in this test: told beside the strength found, and drawn into stress_strain.png; 0: none");
+        "Found in this test by others: reported beside the strength found, and drawn into stress_strain.png; 0: none");
     one("Published modulus", published_figures.modulus, "Pa", "Young's modulus likewise; 0: none");
     one("Published Poisson ratio", published_figures.poisson, "-",
         "Likewise, beside the secant one by gauges; 0: none");

@@ -11,18 +11,14 @@ namespace apps
       .means("The run ends when the column lies above the value, or below it");
     s.number("Value", stop.value, "", Range(), Need::required).means("In the unit of the column");
     s.number("From time", stop.from_time, "s", Range::at_least(0), Need::optional)
-      .means("Before it the condition is not looked at");
+      .means("Before it the condition is not checked");
   }
 
   void declare(Section &root, StopsSection &stops)
   {
     root
-      .section("Stop", "One sub-section per condition that ends the run before the end time, looked at with every row "
+      .section("Stop", "One sub-section per condition that ends the run before the end time, checked with every row "
                        "of series.csv but the first")
-      .named_sections("CONDITION", [&stops](Section &opened) {
-        StopSection &added = stops.stops.emplace_back();
-        added.name         = opened.name();
-        declare(opened, added);
-      });
+      .named_list("CONDITION", stops.stops, &StopSection::name);
   }
 } // namespace apps

@@ -9,6 +9,11 @@ namespace apps
 {
   namespace
   {
+    Condition of_shape(const WallSection &wall, const WallSection::Shape shape, const std::string &word)
+    {
+      return {[&wall, shape] { return wall.shape == shape; }, "Shape = " + word};
+    }
+
     void declare_shape(Section &s, WallSection &wall)
     {
       using Shape = WallSection::Shape;
@@ -27,71 +32,61 @@ namespace apps
 
     void declare_plane_and_plate(Section &s, WallSection &wall)
     {
-      using Shape      = WallSection::Shape;
-      const auto plane = [&wall] { return wall.shape == Shape::plane; };
-      const auto plate = [&wall] { return wall.shape == Shape::plate; };
-      s.vector("Point", wall.point, "m", Range(), Need::optional).means("On the plane").only_if(plane, "Shape = plane");
+      const Condition plane = of_shape(wall, WallSection::Shape::plane, "plane"),
+                      plate = of_shape(wall, WallSection::Shape::plate, "plate");
+      s.vector("Point", wall.point, "m", Range(), Need::optional).means("On the plane").only_if(plane);
       s.vector("Normal", wall.normal, "-", Range(), Need::optional)
         .means("Of the plane, to where the particles are; of any length")
-        .only_if(plane, "Shape = plane");
-      s.vector("Corner", wall.corner, "m", Range(), Need::required)
-        .means("Of the plate")
-        .only_if(plate, "Shape = plate");
+        .only_if(plane);
+      s.vector("Corner", wall.corner, "m", Range(), Need::required).means("Of the plate").only_if(plate);
       s.vector("First edge", wall.first_edge, "m", Range(), Need::required)
         .means("Of the plate, from its corner; in two dimensions the segment")
-        .only_if(plate, "Shape = plate");
+        .only_if(plate);
       s.vector("Second edge", wall.second_edge, "m", Range(), Need::optional)
         .means("Of the plate, from its corner; not in two dimensions")
-        .only_if(plate, "Shape = plate");
+        .only_if(plate);
     }
 
     void declare_box(Section &s, WallSection &wall)
     {
-      using Shape       = WallSection::Shape;
-      const auto chosen = [&wall] { return wall.shape == Shape::box; };
+      const Condition chosen = of_shape(wall, WallSection::Shape::box, "box");
       s.vector("Lower", wall.lower, "m", Range(), Need::required)
         .means("Corner of the box with the least coordinates")
-        .only_if(chosen, "Shape = box");
+        .only_if(chosen);
       s.vector("Upper", wall.upper, "m", Range(), Need::required)
         .means("Corner of the box with the largest coordinates")
-        .only_if(chosen, "Shape = box");
+        .only_if(chosen);
       s.choices("Open sides", wall.open, {{"-x", 0}, {"+x", 1}, {"-y", 2}, {"+y", 3}, {"-z", 4}, {"+z", 5}},
                 Need::optional)
         .means("That the box does not have")
-        .only_if(chosen, "Shape = box");
+        .only_if(chosen);
     }
 
     void declare_cylinder(Section &s, WallSection &wall)
     {
-      using Shape       = WallSection::Shape;
-      const auto chosen = [&wall] { return wall.shape == Shape::cylinder; };
+      const Condition chosen = of_shape(wall, WallSection::Shape::cylinder, "cylinder");
       s.vector("From", wall.from, "m", Range(), Need::required)
         .means("Where the axis of the cylinder begins; in two dimensions the centre of the circle")
-        .only_if(chosen, "Shape = cylinder");
+        .only_if(chosen);
       s.vector("To", wall.to, "m", Range(), Need::optional)
         .means("Where the axis of the cylinder ends; not in two dimensions")
-        .only_if(chosen, "Shape = cylinder");
-      s.number("Radius", wall.radius, "m", Range::positive(), Need::required)
-        .means("Of the cylinder")
-        .only_if(chosen, "Shape = cylinder");
+        .only_if(chosen);
+      s.number("Radius", wall.radius, "m", Range::positive(), Need::required).means("Of the cylinder").only_if(chosen);
       s.integer("Sides", wall.around, "", Range::between(3, 100000), Need::optional)
         .means("Plane sides that stand for its mantle; their edges lie on it")
-        .only_if(chosen, "Shape = cylinder");
-      s.flag("Ends", wall.ends)
-        .means("The cylinder is closed by discs at both ends")
-        .only_if(chosen, "Shape = cylinder");
+        .only_if(chosen);
+      s.flag("Ends", wall.ends).means("The cylinder is closed by discs at both ends").only_if(chosen);
     }
 
     void declare_file(Section &s, WallSection &wall)
     {
-      using Shape       = WallSection::Shape;
-      const auto chosen = [&wall] { return wall.shape == Shape::file; };
+      const Condition chosen = of_shape(wall, WallSection::Shape::file, "file");
       s.file("File", wall.file)
         .means("STL (text or binary), or Gmsh (.msh, text): its triangles and quadrilaterals; from the scene's folder")
-        .only_if(chosen, "Shape = file");
+        .only_if(chosen);
       s.number("Scale", wall.scale, "-", Range::positive(), Need::optional)
         .means("By which lengths of the file are multiplied to be metres")
-        .only_if(chosen, "Shape = file");
+        .only_if(chosen);
     }
 
     void declare_control(Section &s, WallSection &wall)
@@ -99,27 +94,25 @@ namespace apps
       using Control = WallSection::Control;
       s.choice("Control", wall.control, {{"motion", Control::motion}, {"force", Control::force}}, Need::optional)
         .means("motion: it rests, or moves as said; force: it moves along a direction until it presses with a force");
-      const auto moved = [&wall] { return wall.control == Control::motion; };
-      const auto held  = [&wall] { return wall.control == Control::force; };
+      const Condition moved{[&wall] { return wall.control == Control::motion; }, "Control = motion"},
+        held{[&wall] { return wall.control == Control::force; }, "Control = force"};
       declare_components(s, "Velocity", wall.velocity, "m/s", "By time t; empty: none");
       declare_components(s, "Spin", wall.spin, "rad/s", "By time t, about Centre; empty: none");
       for (const char *entry : {"Velocity x", "Velocity y", "Velocity z", "Spin x", "Spin y", "Spin z"})
-        s.find_entry(entry)->only_if(moved, "Control = motion");
+        s.find_entry(entry)->only_if(moved);
       s.vector("Centre", wall.centre, "m", Range(), Need::optional)
         .means("That it spins about; moves with it")
-        .only_if(moved, "Control = motion");
+        .only_if(moved);
       s.vector("Direction", wall.direction, "-", Range(), Need::required)
         .means("Along which it presses and moves; of any length")
-        .only_if(held, "Control = force");
-      s.expression("Force", wall.force, "N")
-        .means("On the particles along the direction, by time t")
-        .only_if(held, "Control = force");
+        .only_if(held);
+      s.expression("Force", wall.force, "N").means("On the particles along the direction, by time t").only_if(held);
       s.number("Largest speed", wall.largest_speed, "m/s", Range::positive(), Need::required)
         .means("Of the wall, also on its way to the particles")
-        .only_if(held, "Control = force");
+        .only_if(held);
       s.number("Gain", wall.gain, "-", {std::numeric_limits<double>::min(), 1.0, false}, Need::optional)
         .means("Part of what the force lacks that a step makes good")
-        .only_if(held, "Control = force");
+        .only_if(held);
     }
   } // namespace
 
@@ -139,10 +132,6 @@ namespace apps
     root
       .section("Walls", "One sub-section per wall that particles touch, in contact with friction. What belongs "
                         "together should be one wall: a sphere has one contact with it, also over edges")
-      .named_sections("WALL", [&walls](Section &opened) {
-        WallSection &added = walls.walls.emplace_back();
-        added.name         = opened.name();
-        declare(opened, added);
-      });
+      .named_list("WALL", walls.walls, &WallSection::name);
   }
 } // namespace apps

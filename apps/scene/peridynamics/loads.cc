@@ -86,18 +86,10 @@ namespace apps
   void declare(Section &root, PeridynamicLoadsSection &peridynamic_loads)
   {
     root.section("Tractions", "One sub-section per traction on a boundary")
-      .named_sections("TRACTION", [&peridynamic_loads](Section &opened) {
-        PeridynamicTraction &added = peridynamic_loads.tractions.emplace_back();
-        added.name                 = opened.name();
-        declare(opened, added);
-      });
+      .named_list("TRACTION", peridynamic_loads.tractions, &PeridynamicTraction::name);
     root
       .section("Displacements", "One sub-section per boundary or region whose motion is prescribed; of two with the "
                                 "same node the later one counts")
-      .named_sections("SUPPORT", [&peridynamic_loads](Section &opened) {
-        PeridynamicSupport &added = peridynamic_loads.supports.emplace_back();
-        added.name                = opened.name();
-        declare(opened, added);
-      });
+      .named_list("SUPPORT", peridynamic_loads.supports, &PeridynamicSupport::name);
   }
 } // namespace apps

@@ -48,7 +48,7 @@ namespace apps
       .means("The bond constant is divided so that the grid has Young's modulus along its axes, or the stiffness "
              "against equal strains");
     s.number("Poisson ratio", peridynamic_materials.poisson_ratio, "-", Range::between(0, 0.5), Need::optional)
-      .means("Bonds have 1/3 in plane stress and 1/4 in plane strain and in space, and no other; 0: not asked for");
+      .means("Bonds have 1/3 in plane stress and 1/4 in plane strain and in space, and no other; 0: not compared");
     declare(s, peridynamic_materials.only);
     s.find_entry("Young modulus")
       ->only_if([&peridynamic_materials] { return peridynamic_materials.named.empty(); },
@@ -58,21 +58,13 @@ namespace apps
                                                  "the body is of the first");
     several.only_if([&peridynamic_materials] { return !peridynamic_materials.named.empty(); },
                     "there are several materials");
-    several.named_sections("MATERIAL", [&peridynamic_materials](Section &opened) {
-      PeridynamicConstants &added = peridynamic_materials.named.emplace_back();
-      added.name                  = opened.name();
-      declare(opened, added);
-    });
+    several.named_list("MATERIAL", peridynamic_materials.named, &PeridynamicConstants::name);
 
     Section &between = root.section("Interfaces", "One sub-section per pair of materials whose bonds have constants of "
                                                   "their own");
     between.only_if([&peridynamic_materials] { return !peridynamic_materials.interfaces.empty(); },
                     "there are several materials");
-    between.named_sections("INTERFACE", [&peridynamic_materials](Section &opened) {
-      PeridynamicInterface &added = peridynamic_materials.interfaces.emplace_back();
-      added.name                  = opened.name();
-      declare(opened, added);
-    });
+    between.named_list("INTERFACE", peridynamic_materials.interfaces, &PeridynamicInterface::name);
     declare_regions(root, peridynamic_materials.regions, "nodes");
   }
 } // namespace apps

@@ -56,17 +56,14 @@ namespace apps
 
     void declare_defects(Section &root, PeridynamicsModel &model)
     {
-      root.section("Holes", "One sub-section per round hole").named_sections("HOLE", [&model](Section &opened) {
-        PeridynamicHole &added = model.holes.emplace_back();
-        added.name             = opened.name();
-        declare_numbers(opened, "Centre", added.centre, "m", "coordinates", Need::required)
-          .means("Of the circle; in space of the cylinder along z");
-        opened.number("Radius", added.radius, "m", Range::positive(), Need::required).means("Of the hole");
-      });
+      root.section("Holes", "One sub-section per round hole")
+        .named_list("HOLE", model.holes, &PeridynamicHole::name, [](Section &opened, PeridynamicHole &added) {
+          declare_numbers(opened, "Centre", added.centre, "m", "coordinates", Need::required)
+            .means("Of the circle; in space of the cylinder along z");
+          opened.number("Radius", added.radius, "m", Range::positive(), Need::required).means("Of the hole");
+        });
       root.section("Cracks", "One sub-section per crack: bonds that cross it are broken from the start")
-        .named_sections("CRACK", [&model](Section &opened) {
-          PeridynamicCrack &added = model.cracks.emplace_back();
-          added.name              = opened.name();
+        .named_list("CRACK", model.cracks, &PeridynamicCrack::name, [](Section &opened, PeridynamicCrack &added) {
           declare_numbers(opened, "From", added.from, "m", "coordinates", Need::required)
             .means("One end of the segment; in space a corner of a parallelogram");
           declare_numbers(opened, "To", added.to, "m", "coordinates", Need::required)
@@ -75,11 +72,8 @@ namespace apps
             .means("In space: the other edge, as a vector");
         });
       root.section("No-fail zones", "One sub-section per region whose nodes have bonds that never break")
-        .named_sections("ZONE", [&model](Section &opened) {
-          NoFailZone &added = model.safe.emplace_back();
-          added.name        = opened.name();
-          declare(opened, added.region);
-        });
+        .named_list("ZONE", model.safe, &NoFailZone::name,
+                    [](Section &opened, NoFailZone &added) { declare(opened, added.region); });
     }
 
     void declare_kinematics(Section &s, PeridynamicAnalysisSection &analysis)
@@ -132,12 +126,12 @@ namespace apps
       .means("Steps of the relaxation at most from one state at rest to the next");
     s.integer("Steps per row", analysis.row_interval, "", Range::between(1, 1e9), Need::optional)
       .means("Steps of the relaxation from one row of series.csv to the next");
-    const auto moves = [&analysis] { return !analysis.quiet(); };
+    const Condition moves{[&analysis] { return !analysis.quiet(); }, "Method is motion"};
     s.number("End time", analysis.end_time, "s", Range::positive(), Need::required)
-      .only_if(moves, "Method is motion")
+      .only_if(moves)
       .means("Of the motion");
     declare_steps(s, analysis);
-    s.find_entry("Repulsion")->only_if(moves, "Method is motion");
+    s.find_entry("Repulsion")->only_if(moves);
   }
 
   void declare(Section &root, PeridynamicsModel &model)

@@ -4,6 +4,7 @@
 #include "apps/scene/entries/joints.h"
 #include "apps/scene/entries/material.h"
 #include "apps/scene/entries/mix.h"
+#include "apps/scene/entries/path_steps.h"
 #include "apps/scene/entries/physics.h"
 #include "apps/scene/entries/specimen.h"
 #include "apps/scene/section.h"
@@ -76,13 +77,7 @@ namespace apps
     declare_loading(root, model);
 
     Section &solver = root.section("Solver", "How the equilibrium path is followed");
-    solver.number("Growth step", model.growth_step, "-", Range::between(1e-4, 1), Need::optional)
-      .means("Largest growth of any link's damaging strain in a step, over itself; it controls the steps where damage "
-             "is fast");
-    solver.number("Tolerance", model.tolerance, "-", Range::between(1e-13, 1e-2), Need::optional)
-      .means("Unbalanced force over link forces, both as root of the sum of squares");
-    solver.number("Damping", model.damping, "-", Range::from_up_to(0.01, 1), Need::optional)
-      .means("Local (Cundall) damping where cracks run away and dynamics looks for the next equilibrium");
+    declare_path_steps(solver, model.growth_step, model.tolerance, model.damping, "link forces");
 
     Section &output = root.section("Output", "How often results are written");
     output.integer("Points per snapshot", model.snapshot_interval, "", Range::between(0, 1e6), Need::optional)

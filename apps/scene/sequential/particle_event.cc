@@ -79,7 +79,7 @@ namespace apps
       declare_instants(u, particle_event.instants)
         .means("Strains at which the state is handed over, separated by commas, all of one sign; \"a > b\": strained "
                "to a and "
-               "then led back to b")
+               "then driven back to b")
         .only_if(strained, "Particles/Source = uniaxial");
       u.number("End strain", particle_event.end_strain, "-", Range(), Need::optional)
         .means("To which an all-particle run goes on, to compare with; 0: none")

@@ -82,7 +82,7 @@ namespace apps
         .means("Share of the points: no particle within reach")
         .housekeeping();
       m.number("Sparse", limits.sparse, "-", Range::between(0, 1), Need::optional)
-        .means("Share of the points: fewer particles than asked for")
+        .means("Share of the points: fewer particles than required")
         .housekeeping();
       m.number("Fully damaged", limits.fully_damaged, "-", Range::between(0, 1), Need::optional)
         .means("Share of the points: damage at or past 1")

@@ -4,6 +4,7 @@
 #include "apps/scene/coupled/handshakes.h"
 #include "apps/scene/entries/material.h"
 #include "apps/scene/entries/mix.h"
+#include "apps/scene/entries/path_steps.h"
 #include "apps/scene/entries/physics.h"
 #include "apps/scene/entries/region.h"
 #include "apps/scene/entries/specimen.h"
@@ -36,7 +37,7 @@ namespace apps
 
   void declare(Section &root, PathSection &path)
   {
-    Section &s = root.section("Path", "How the load factor t is led along the equilibria, in which it may fall back");
+    Section &s = root.section("Path", "How the load factor t follows the equilibria, along which it may fall");
     s.number("End", path.end, "-", Range::positive(), Need::required)
       .means("Load factor at which the path ends at the latest");
     s.number("Step", path.step, "-", Range::positive(), Need::required)
@@ -44,13 +45,7 @@ namespace apps
              "balance)");
     s.number("Stop fraction", path.stop_fraction, "-", Range::from_up_to(0, 1), Need::optional)
       .means("The path ends when the force of the load factor has fallen to this part of its peak; 0: never");
-    s.number("Growth step", path.growth_step, "-", Range::between(1e-4, 1), Need::optional)
-      .means("Largest growth of any link's damaging strain in a step, over itself; it controls the steps where damage "
-             "is fast");
-    s.number("Tolerance", path.tolerance, "-", Range::between(1e-13, 1e-2), Need::optional)
-      .means("Unbalanced force over forces of links and solid, both as root of the sum of squares");
-    s.number("Damping", path.damping, "-", Range::from_up_to(0.01, 1), Need::optional)
-      .means("Local (Cundall) damping where cracks run away and dynamics looks for the next equilibrium");
+    declare_path_steps(s, path.growth_step, path.tolerance, path.damping, "forces of links and solid");
   }
 
   void declare(Section &root, BendingTestSection &test)
@@ -59,17 +54,17 @@ namespace apps
       "Bending test",
       "Dimensions of a notched beam on two supports, loaded at mid-span, by which its load and its work become "
       "figures of the material; the load is Output/Curve vertical");
-    const auto asked = [&test] { return test.evaluate(); };
+    const Condition evaluated{[&test] { return test.evaluate(); }, "Span > 0"};
     s.number("Span", test.span, "m", Range::at_least(0), Need::optional)
       .means("Between the supports; 0: nothing of this is evaluated");
     s.number("Depth", test.depth, "m", Range::positive(), Need::required)
-      .only_if(asked, "Span > 0")
+      .only_if(evaluated)
       .means("Of the beam, along the load");
     s.number("Width", test.width, "m", Range::positive(), Need::required)
-      .only_if(asked, "Span > 0")
+      .only_if(evaluated)
       .means("Of the beam, across the plane of bending");
     s.number("Notch depth", test.notch, "m", Range::at_least(0), Need::optional)
-      .only_if(asked, "Span > 0")
+      .only_if(evaluated)
       .means("What it takes from Depth; figures are nominal strength 3 F S / (2 b (d - a)^2), and work over ligament b "
              "(d - a)");
   }
@@ -80,21 +75,21 @@ namespace apps
       "Wedge splitting",
       "Dimensions of a notched specimen whose groove a wedge drives apart, by which the splitting force and its "
       "work become figures of the material; the splitting force, of one side, is Output/Curve vertical");
-    const auto asked = [&test] { return test.evaluate(); };
+    const Condition evaluated{[&test] { return test.evaluate(); }, "Ligament depth > 0"};
     s.number("Ligament depth", test.ligament_depth, "m", Range::at_least(0), Need::optional)
       .means("From the tip of the notch to the face beyond; 0: nothing of this is evaluated");
     s.number("Width", test.width, "m", Range::positive(), Need::required)
-      .only_if(asked, "Ligament depth > 0")
+      .only_if(evaluated)
       .means("Of the specimen, across the plane of splitting");
     s.number("Arm", test.arm, "m", Range::at_least(0), Need::optional)
-      .only_if(asked, "Ligament depth > 0")
+      .only_if(evaluated)
       .means(
         "From the line of the splitting force to the tip of the notch, c in the nominal strength F/(b h) (4 + 6 c/h)");
     s.number("Wedge angle", test.angle, "degrees", Range::between(1, 120), Need::optional)
-      .only_if(asked, "Ligament depth > 0")
+      .only_if(evaluated)
       .means("Between the faces of the wedge: the machine's force is 2 F (tan(a/2) + mu)/(1 - mu tan(a/2))");
     s.number("Friction coefficient", test.friction, "-", Range::at_least(0), Need::optional)
-      .only_if(asked, "Ligament depth > 0")
+      .only_if(evaluated)
       .means("mu, of the wedge on its rollers");
   }
 
@@ -110,11 +105,8 @@ namespace apps
     root
       .section("Voids", "One sub-section per place without particles, as a notch is: particles whose centre lies in it "
                         "are left out, and links whose line between centres crosses it")
-      .named_sections("VOID", [&model](Section &opened) {
-        VoidSection &added = model.voids.emplace_back();
-        added.name         = opened.name();
-        declare(opened, added.region);
-      });
+      .named_list("VOID", model.voids, &VoidSection::name,
+                  [](Section &opened, VoidSection &added) { declare(opened, added.region); });
     declare(root, model.groups);
     declare(root, model.supports);
     Section &solid = root.section(

@@ -61,7 +61,7 @@ namespace coupling::bodies
 
   void BodyContacts::find_pairs()
   {
-    const std::vector<NearSimplices> &candidates = near.look(bodies);
+    const std::vector<NearSimplices> &candidates = near.update(bodies);
     const auto                        count      = static_cast<std::int64_t>(candidates.size());
     touched.clear();
 #pragma omp parallel if (count > 256) // threads cost more than fewer

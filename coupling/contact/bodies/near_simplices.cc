@@ -181,7 +181,7 @@ namespace coupling::bodies
     listed.erase(std::unique(listed.begin(), listed.end()), listed.end());
   }
 
-  const std::vector<NearSimplices> &NearBodies::look(const BodyMesh &mesh)
+  const std::vector<NearSimplices> &NearBodies::update(const BodyMesh &mesh)
   {
     if (!good(mesh))
       search(mesh);

@@ -29,8 +29,8 @@ namespace coupling::bodies
     }
 
     /** Pairs that may overlap where all vertices are now: first of the lower body, ascending. */
-    const std::vector<NearSimplices> &look(const BodyMesh &mesh);
-    /** Whether the boxes around a pair of the list meet where their vertices were when it was looked at. */
+    const std::vector<NearSimplices> &update(const BodyMesh &mesh);
+    /** Whether the boxes around a pair of the list meet where their vertices were at its update. */
     bool meet(const NearSimplices &pair) const
     {
       return boxes[static_cast<std::size_t>(pair.first)].intersects(boxes[static_cast<std::size_t>(pair.second)]);

@@ -1,4 +1,4 @@
-#include "apps/commands/asked_number.h"
+#include "apps/commands/number_option.h"
 
 #include "apps/scene/usual_sizes.h"
 #include "apps/text/value_text.h"
@@ -7,7 +7,8 @@
 
 namespace apps
 {
-  CLI::Option *add_asked_number(CLI::App &command, const AskedNumber &what, double &member, const std::string &meaning)
+  CLI::Option *
+  add_number_option(CLI::App &command, const NumberOption &what, double &member, const std::string &meaning)
   {
     const auto take = [what, &member](const std::string &text) {
       const auto number = number_in(list_without_units(text, what.unit));

@@ -9,7 +9,7 @@
 namespace apps
 {
   /** What a number of the command line is. */
-  struct AskedNumber
+  struct NumberOption
   {
     std::string option;   ///< "--radius"
     std::string quantity; ///< by whose usual sizes it is judged: "particle radius"
@@ -18,5 +18,6 @@ namespace apps
   };
 
   /** An option for a number that is questioned as those of scenes are (usual_sizes.h): its unit may be named, --radius "0.5 m". */
-  CLI::Option *add_asked_number(CLI::App &command, const AskedNumber &what, double &member, const std::string &meaning);
+  CLI::Option *
+  add_number_option(CLI::App &command, const NumberOption &what, double &member, const std::string &meaning);
 } // namespace apps
