@@ -100,10 +100,10 @@ namespace apps
     }
   } // namespace
 
-  int run_size_effect_bench(const SizeEffectBench &asked)
+  int run_size_effect_bench(const SizeEffectBench &requested)
   {
     start_mpi();
-    SizeEffectBench bench = asked;
+    SizeEffectBench bench = requested;
     if (bench.quick)
       {
         bench.sizes        = {1, 2};

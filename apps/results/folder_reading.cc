@@ -49,7 +49,10 @@ namespace apps
     if (!result.summary.is_object())
       throw base::InputError(file.string() + ": not a summary of a run.");
     if (result.summary.contains("asked")) // of earlier versions
-      result.summary["requested"] = result.summary["asked"];
+      {
+        result.summary["requested"] = result.summary["asked"];
+        result.summary.erase("asked");
+      }
     const fs::path series = folder / "series.csv";
     if (fs::is_regular_file(series))
       result.series = postprocess::read_csv_table(series, true, word_columns(series));
