@@ -1,6 +1,6 @@
 #include "apps/commands/part_option.h"
 
-#include "base/errors.h"
+#include <CLI/Error.hpp>
 
 #include <cstdio>
 
@@ -12,7 +12,7 @@ namespace apps
       int end = 0;
       if (std::sscanf(text.c_str(), "%d/%d%n", &part, &parts, &end) != 2 || end != static_cast<int>(text.size()) ||
           part < 1 || part > parts)
-        throw base::InputError("command line: --part " + text + ": a part of a whole is wanted, \"3/40\".");
+        throw CLI::ValidationError("--part", text + ": a part of a whole is wanted, \"3/40\".");
     };
     command.add_option_function<std::string>("--part", read, meaning)->type_name("3/40");
   }

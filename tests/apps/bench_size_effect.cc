@@ -11,7 +11,9 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <random>
 #include <vector>
 
@@ -306,6 +308,38 @@ TEST_CASE("a beam of elements around grown discs bears what the beam all of disc
       CHECK(found.balance < 1e-3);
     }
   CHECK_THAT(strength[0], WithinRel(strength[1], 0.05));
+}
+
+TEST_CASE("parts of bench size-effect share its folder, and the last of them writes the table", "[apps][mesoscale]")
+{
+  const ScratchFolder            folder;
+  const std::vector<std::string> words{"bench",
+                                       "size-effect",
+                                       places::sources() + "/apps/scenes/size_effect_plane.prm",
+                                       "--sizes",
+                                       "1",
+                                       "--calibrated",
+                                       "1",
+                                       "--geometries",
+                                       "1",
+                                       "--particles",
+                                       "0",
+                                       "-o",
+                                       "bench"};
+  const auto                     part = [&](const std::string &which) {
+    std::vector<std::string> all = words;
+    all.insert(all.end(), {"--part", which});
+    return run(folder.path(), all);
+  };
+  const Outcome first = part("1/2");
+  INFO(first.err);
+  REQUIRE(first.status == 0);
+  CHECK_THAT(first.out, Contains("1 of 2 beams are there"));
+  CHECK_FALSE(std::filesystem::exists(folder / "bench/size_effect.csv"));
+  REQUIRE(part("2/2").status == 0);
+  const std::string table = content_of(folder / "bench/size_effect.csv");
+  CHECK(std::count(table.begin(), table.end(), '\n') == 3);
+  CHECK(part("3/2").status == 2);
 }
 
 TEST_CASE("bench size-effect refuses a scene without a bending test, and a size that it does not run",
