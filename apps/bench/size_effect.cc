@@ -72,6 +72,8 @@ namespace apps
         kept ? ", as the folder has it" : "");
       std::fflush(stdout);
     }
+
+    /** The beams of this part, but those that are there already. */
     void work_off(const SizeEffectBench       &bench,
                   const StructureModel        &one,
                   const std::vector<BeamCase> &cases,

@@ -47,10 +47,7 @@ namespace apps
       network.seed          = static_cast<std::uint64_t>(set.seed);
       return network;
     }
-  } // namespace
 
-  namespace
-  {
     void check_joint_law(const base::EntryPath &section, const dem::SmoothJointParameters &law)
     {
       try

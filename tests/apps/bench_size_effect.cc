@@ -2,11 +2,11 @@
 #include "apps/bench/scene_variant.h"
 #include "apps/bench/size_effect_answer.h"
 #include "apps/bench/size_effect_beams.h"
-#include "apps/bench/size_effect_universal.h"
 #include "apps/process/mpi_session.h"
 #include "base/errors.h"
 #include "tests/apps/program.h"
 #include "tests/apps/scratch_folder.h"
+#include "tests/apps/universal_law.h"
 #include "tests/places.h"
 
 #include <catch2/catch.hpp>
@@ -41,18 +41,6 @@ namespace
     law.strength.value = strength;
     law.layer.value    = layer;
     law.exponent.value = exponent;
-    return law;
-  }
-
-  apps::UniversalLaw universal_law()
-  {
-    apps::UniversalLaw law;
-    law.young          = 30e9;
-    law.energy.value   = 40;
-    law.zone.value     = 0.012;
-    law.strength.value = 3.5e6;
-    law.layer.value    = 0.008;
-    law.exponent.value = 1.3;
     return law;
   }
 

@@ -6,6 +6,7 @@
 #include "tests/apps/program.h"
 #include "tests/apps/scenes.h"
 #include "tests/apps/scratch_folder.h"
+#include "tests/apps/uneven_lattice.h"
 #include "tests/dem/clusters.h"
 
 #include <catch2/catch.hpp>

@@ -3,6 +3,7 @@
 #include "tests/apps/continuum_scenes.h"
 #include "tests/apps/scene_runs.h"
 #include "tests/apps/scenes.h"
+#include "tests/apps/uneven_lattice.h"
 #include "tests/places.h"
 
 #include <catch2/catch.hpp>

@@ -22,16 +22,6 @@ namespace apps_tests
 
   std::string pair_packing() { return "0 0 0 1e-3\n0 0 2e-3 1e-3\n"; }
 
-  std::string uneven_lattice(const int n)
-  {
-    std::ostringstream text;
-    text << "# periodic_cell " << 2e-3 * n << ' ' << 2e-3 * n << ' ' << 2e-3 * n << '\n';
-    for (int i = 0; i < n * n * n; ++i)
-      text << 2e-3 * (i % n + 0.03 * std::sin(7 * i)) << ' ' << 2e-3 * (i / n % n + 0.03 * std::sin(11 * i)) << ' '
-           << 2e-3 * (i / (n * n) + 0.03 * std::sin(13 * i)) << " 1e-3\n";
-    return text.str();
-  }
-
   std::string material_of_concrete()
   {
     return R"(subsection Material

@@ -13,9 +13,6 @@ namespace apps_tests
   /** Two spheres of 1 mm on the z axis, 2 mm apart. */
   std::string pair_packing();
 
-  /** n^3 touching spheres of 1 mm on a cubic lattice that are a little displaced, periodic, as a text packing. */
-  std::string uneven_lattice(int n);
-
   /** Section Material: the concrete of concrete_uniaxial.prm. */
   std::string material_of_concrete();
 

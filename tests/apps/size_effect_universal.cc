@@ -1,5 +1,5 @@
 // The universal law of size effect between its two ends: doc/theory/size-effect.md, 5.
-#include "apps/bench/size_effect_universal.h"
+#include "tests/apps/universal_law.h"
 
 #include <catch2/catch.hpp>
 
@@ -10,16 +10,10 @@ using Catch::WithinRel;
 
 namespace
 {
-  /** Of a concrete with aggregates of 10 mm. */
+  /** With a transition between shallow notches and deep ones. */
   apps::UniversalLaw law_between()
   {
-    apps::UniversalLaw law;
-    law.young               = 30e9;
-    law.energy.value        = 40;
-    law.zone.value          = 0.012;
-    law.strength.value      = 3.5e6;
-    law.layer.value         = 0.008;
-    law.exponent.value      = 1.3;
+    apps::UniversalLaw law  = apps_tests::universal_law();
     law.form.grain          = 0.01;
     law.form.notch_exponent = 1.5;
     law.form.size_exponent  = 0.5;

@@ -7,13 +7,12 @@
 #include "base/errors.h"
 #include "dem/laws/cpm.h"
 #include "tests/apps/scratch_folder.h"
+#include "tests/apps/uneven_lattice.h"
 
 #include <catch2/catch.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -22,17 +21,6 @@ using Catch::WithinAbs;
 
 namespace
 {
-  /** n^3 touching spheres of 1 mm on a cubic lattice that are a little displaced, periodic. */
-  std::string periodic_lattice(const int n)
-  {
-    std::ostringstream text;
-    text << "# periodic_cell " << 2e-3 * n << ' ' << 2e-3 * n << ' ' << 2e-3 * n << '\n';
-    for (int i = 0; i < n * n * n; ++i)
-      text << 2e-3 * (i % n + 0.03 * std::sin(7 * i)) << ' ' << 2e-3 * (i / n % n + 0.03 * std::sin(11 * i)) << ' '
-           << 2e-3 * (i / (n * n) + 0.03 * std::sin(13 * i)) << " 1e-3\n";
-    return text.str();
-  }
-
   apps::SpecimenSection box_of(const std::filesystem::path &file)
   {
     apps::SpecimenSection specimen;
@@ -80,7 +68,7 @@ TEST_CASE("Mix: particles, structures, coupled and sequential scenes have the ag
           "[library][mesoscale]")
 {
   const apps_tests::ScratchFolder folder;
-  const auto                      file = folder.file("packing.txt", periodic_lattice(8));
+  const auto                      file = folder.file("packing.txt", apps_tests::uneven_lattice(8));
   apps::ParticlesModel            particles;
   fill(particles, file);
   const dem::Packing expected = particles.mixed().packing(); // as uniaxial scenes make it
@@ -139,7 +127,7 @@ TEST_CASE("Mix: particles beside the specimen are of its mortar", "[library][mes
 {
   const apps_tests::ScratchFolder folder;
   apps::ParticlesModel            model;
-  fill(model, folder.file("packing.txt", periodic_lattice(8)));
+  fill(model, folder.file("packing.txt", apps_tests::uneven_lattice(8)));
   apps::AddedParticles &ball = model.more.added.emplace_back();
   ball.name                  = "ball";
   ball.radius                = 2e-3;
@@ -154,7 +142,7 @@ TEST_CASE("Mix: where there is no box for it, it is refused by its entry", "[lib
 {
   const apps_tests::ScratchFolder folder;
   apps::ParticlesModel            model;
-  fill(model, folder.file("packing.txt", periodic_lattice(8)));
+  fill(model, folder.file("packing.txt", apps_tests::uneven_lattice(8)));
   model.source.box = {0, 0, 0};
   CHECK_THROWS_WITH(model.check_as_part({}), Contains("Box size") && Contains("aggregates of Mix"));
   model.source.source = apps::SpecimenSection::Source::none;
