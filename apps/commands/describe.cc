@@ -132,16 +132,20 @@ namespace apps
       passages.insert(after, next);
     }
 
+    /** Each kind has itself as the default of Kind; but for that all of them say the same of it. */
+    std::string without_own_kind(std::string text, const std::string &own, const std::string &instead)
+    {
+      if (const auto at = text.find(own); at != std::string::npos)
+        text.replace(at, own.size(), instead);
+      return text;
+    }
+
     Passage in_markdown(const Match &match, const std::string &kind)
     {
       const std::string path = match.section->path();
       std::string       text = description_as_markdown(*match.section, match.entry);
-      // Each kind has itself as the default of Kind; but for that all of them say the same.
-      const std::string own = "| Kind |  | " + kind + " |";
-      if (const auto at = text.find(own); path.empty() && at != std::string::npos)
-        text.replace(at, own.size(), "| Kind |  | required |");
-      if (path.empty())
-        text.insert(0, "\n"); // a table begins after an empty line
+      if (path.empty()) // a table begins after an empty line
+        text = "\n" + without_own_kind(text, "| Kind |  | " + kind + " |", "| Kind |  | required |");
       return {path.empty() ? "Outside all sections" : path, text, kind};
     }
 
@@ -194,7 +198,10 @@ namespace apps
       else
         for (const Match &match : outermost(matches))
           {
-            add(all.passages, {match.section->path(), description_as_prm(*match.section, match.entry), kind});
+            std::string text = description_as_prm(*match.section, match.entry);
+            if (match.entry && match.section->path().empty())
+              text = without_own_kind(text, "set Kind = " + kind + "\n", "set Kind =\n");
+            add(all.passages, {match.section->path(), text, kind});
             all.objects.push_back(description_as_json(*match.section, match.entry));
             all.objects.back()["kind"] = kind;
           }

@@ -77,28 +77,40 @@ namespace apps
       entry.set   = true;
     }
 
-    /** What has to be set and is not, section by section. */
-    void collect_missing(const Section &section, std::string &missing)
+    /** What has to be set and is not. */
+    struct Missing
+    {
+      std::string name, meaning;
+    };
+
+    void collect_missing(const Section &section, std::vector<Missing> &missing)
     {
       if (!section.needed())
         return;
       for (const auto &entry : section.entries())
         if (entry->required && !entry->set && entry->needed())
-          missing += (missing.empty() ? "\"" : " \"") + section.path_of(entry->name) + "\"" +
-                     (entry->unit.empty() ? "" : " [" + entry->unit + "]") +
-                     " is not set and has no default. Meaning: " + entry->meaning +
-                     (entry->allowed.empty() ? "" : "; " + entry->allowed) + ".";
+          missing.push_back(
+            {"\"" + section.path_of(entry->name) + "\"" + (entry->unit.empty() ? "" : " [" + entry->unit + "]"),
+             entry->meaning + (entry->allowed.empty() ? "" : "; " + entry->allowed) + "."});
       for (const auto &subsection : section.sections())
         collect_missing(*subsection, missing);
     }
 
-    /** All in one message. */
+    /** All in one message, a line for each of several. */
     void refuse_missing(const Section &section, const std::string &source)
     {
-      std::string missing;
+      std::vector<Missing> missing;
       collect_missing(section, missing);
-      if (!missing.empty())
-        throw base::InputError(source + ": " + missing);
+      if (missing.empty())
+        return;
+      if (missing.size() == 1)
+        throw base::InputError(source + ": " + missing.front().name +
+                               " is not set and has no default. Meaning: " + missing.front().meaning);
+      std::string lines;
+      for (const Missing &one : missing)
+        lines += "\n  " + one.name + ": " + one.meaning;
+      throw base::InputError(source + ": " + std::to_string(missing.size()) +
+                             " entries are not set and have no default:" + lines);
     }
   } // namespace
 

@@ -83,7 +83,7 @@ TEST_CASE("A material constant that is not set is refused by name, with its unit
   refused("    set Strain rate = 4\n", "", "\"Loading/Tension/Strain rate\" [1/s] is not set and has no default");
 }
 
-TEST_CASE("All entries that are missing are named at once", "[apps]")
+TEST_CASE("All entries that are missing are named at once, a line for each", "[apps]")
 {
   const ScratchFolder folder;
   std::string         scene = scene_with_file();
@@ -96,9 +96,10 @@ TEST_CASE("All entries that are missing are named at once", "[apps]")
     {
       const Outcome outcome = run(folder.path(), {command, "x.prm"});
       CHECK(outcome.status == 2);
-      CHECK_THAT(outcome.err, Contains("\"Specimen/Density\" [kg/m^3] is not set") &&
-                                Contains("\"Material/CPM/Cohesion\" [Pa] is not set") &&
-                                Contains("\"Loading/Grip thickness\" [m] is not set"));
+      CHECK_THAT(outcome.err, Contains("x.prm: 3 entries are not set and have no default:\n") &&
+                                Contains("\n  \"Specimen/Density\" [kg/m^3]: Of the particles") &&
+                                Contains("\n  \"Material/CPM/Cohesion\" [Pa]: c_0") &&
+                                Contains("\n  \"Loading/Grip thickness\" [m]: "));
     }
 }
 

@@ -122,6 +122,13 @@ TEST_CASE("describe finds entries and sections by name wherever they are, and sa
   CHECK_THAT(cpm.out,
              Contains("subsection Material\n") && Contains("subsection Materials\n") && Contains("Shear ratio"));
 
+  const std::string kind =
+    run(folder.path(), {"describe", "Kind", "--kind", "uniaxial"}).out; // the same for every kind of scene
+  CHECK_THAT(kind,
+             Contains("# Scenes of kind uniaxial\n# What the scene computes: cell (") && Contains("\nset Kind =\n"));
+  CHECK_THAT(run(folder.path(), {"describe", "Kind"}).out,
+             Contains("# Scenes of kind cell, continuum, ") && !Contains("set Kind = "));
+
   const Outcome one =
     run(folder.path(), {"describe", "Material/CPM/Cohesion", "--kind", "uniaxial", "--format", "json"});
   REQUIRE(one.status == 0);

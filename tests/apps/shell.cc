@@ -104,7 +104,8 @@ TEST_CASE("A new scene of each kind wants nothing but what must be given", "[app
   const Outcome twice = run(folder.path(), {"new", "uniaxial"});
   CHECK(twice.status == 2);
   CHECK_THAT(twice.err, Contains("uniaxial.prm: is there already"));
-  CHECK_THAT(run(folder.path(), {"new", "uniaxal"}).err, Contains("uniaxial"));
+  CHECK_THAT(run(folder.path(), {"new", "uniaxal"}).err, Contains("Did you mean \"uniaxial\"? Known kinds: cell ("));
+  CHECK_THAT(run(folder.path(), {"new", "beam"}).err, Contains("kind \"beam\" is not known. Known kinds: cell ("));
 }
 
 TEST_CASE("diff finds no difference between a result and itself, and says where two differ most", "[apps]")

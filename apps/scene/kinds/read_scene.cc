@@ -43,6 +43,13 @@ namespace apps
       return words;
     }
 
+    [[noreturn]] void refuse_unknown_kind(const std::string &named, const std::string &name)
+    {
+      const std::string meant = did_you_mean(name, kind_names());
+      throw base::InputError(named + " is not known. " + meant + (meant.empty() ? "" : " ") +
+                             "Known kinds: " + kinds_in_words() + ".");
+    }
+
     /** The last word on "Kind", which decides what else may stand in a scene. */
     Assignment *kind_in(std::vector<Assignment> &assignments)
     {
@@ -162,8 +169,7 @@ namespace apps
       throw base::InputError(file + ": \"Kind\" is not set and has no default. Known kinds: " + kinds_in_words() + ".");
     const SceneKind *kind = find_kind(named->value);
     if (!kind)
-      throw base::InputError(named->place.text() + ": Kind = " + named->value + " is not known. " +
-                             did_you_mean(named->value, kind_names()) + " Known kinds: " + kinds_in_words() + ".");
+      refuse_unknown_kind(named->place.text() + ": Kind = " + named->value, named->value);
 
     named->value       = kind->name; // whatever its case
     CheckedScene read  = declared(*kind);
@@ -183,7 +189,7 @@ namespace apps
   {
     const SceneKind *kind = find_kind(name);
     if (!kind)
-      throw base::InputError("command line: kind \"" + name + "\" is not known. " + did_you_mean(name, kind_names()));
+      refuse_unknown_kind("command line: kind \"" + name + "\"", name);
     CheckedScene read  = declared(*kind);
     read.output_folder = "output/NAME";
     declare_all(read);
