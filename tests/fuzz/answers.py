@@ -46,7 +46,8 @@ class Answer:
         self.out, self.err = (path.read_bytes().decode("utf-8", "replace") for path in (out, err))
 
 
-NO_NUMBER = re.compile(r"(?<![\w/.-])[-+]?(nan|inf|infinity)(?![\w/])", re.IGNORECASE)
+# A range that ends with "or inf", as describe has it, is no result.
+NO_NUMBER = re.compile(r"(?<![\w/.-])(?<!, or )[-+]?(nan|inf|infinity)(?![\w/])", re.IGNORECASE)
 
 
 def figures_without_value(node, path=""):
