@@ -305,7 +305,7 @@ namespace dem
     switch (stage)
       {
       case GenesisStage::growth: // denser ones take longer
-        return 0.5 * std::pow(part(parameters.increments), 3);
+        return 0.5 * std::pow(part(parameters.increments), 1.5);
       case GenesisStage::settling:
         return 0.5;
       case GenesisStage::stress:
