@@ -85,7 +85,8 @@ namespace apps
     body->visit_state(state);
     snapshots.visit_state(state);
     visit_snapshots(state, "solid_snapshots", solids);
-    windows_before = body->windows();
+    if (state.reads())
+      windows_before = body->windows();
   }
 
   std::string CoupledRun::size() const

@@ -162,7 +162,8 @@ namespace apps
       exchange->visit_state(state);
     snapshots.visit_state(state);
     visit_slow(state);
-    steps_before = body->specimen().steps();
+    if (state.reads())
+      steps_before = body->specimen().steps();
   }
 
   void ParticlesRun::visit_slow(RunState &state)
