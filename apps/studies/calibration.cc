@@ -43,19 +43,6 @@ namespace apps
       return scatter_is_known(file) || fit.residuals.size() > fit.place.size() - held;
     }
 
-    optimisation::ModelAtEnd end_of(const CalibrationFile                   &file,
-                                    SoughtConstants                         &problem,
-                                    const optimisation::LeastSquaresOptions &options,
-                                    const optimisation::LeastSquaresFit     &fit)
-    {
-      optimisation::NoiseOptions noise;
-      noise.search           = has_errors(file, problem, fit) ? file.model_noise : optimisation::NoiseSearch::never;
-      noise.wide_steps       = wide_step(file) * problem.ranges()(problem.kept());
-      noise.deviation        = scatter_is_known(file) ? 1.0 : 0.0;
-      noise.most_evaluations = options.most_evaluations - fit.evaluations;
-      return problem.at_end(options, fit, noise);
-    }
-
     /** Nothing where there are no errors, or no derivatives. */
     std::optional<statistics::Uncertainty> uncertainty_of(const CalibrationFile               &file,
                                                           const SoughtConstants               &problem,
@@ -110,6 +97,37 @@ namespace apps
       return fresh;
     }
 
+    /** Among all: those that are not determined, where others are and can still be sought again. @param left sets that may be run */
+    std::vector<int> to_hold(const CalibrationFile                        &file,
+                             const SoughtConstants                        &problem,
+                             const std::optional<statistics::Uncertainty> &sure,
+                             const int                                     left)
+    {
+      std::vector<int> fresh  = undetermined_of(file, problem, sure);
+      const int        others = static_cast<int>(problem.kept().size()) - static_cast<int>(fresh.size());
+      if (others == 0 || left < others + 2) // the new start, derivatives and a step
+        fresh.clear();
+      return fresh;
+    }
+
+    /** Where a search has ended. Where that shows what is not determined, no more is run for the noise: the others are sought again. */
+    optimisation::ModelAtEnd end_of(const CalibrationFile                   &file,
+                                    SoughtConstants                         &problem,
+                                    const optimisation::LeastSquaresOptions &options,
+                                    const optimisation::LeastSquaresFit     &fit)
+    {
+      optimisation::NoiseOptions noise;
+      noise.search           = has_errors(file, problem, fit) ? file.model_noise : optimisation::NoiseSearch::never;
+      noise.wide_steps       = wide_step(file) * problem.ranges()(problem.kept());
+      noise.deviation        = scatter_is_known(file) ? 1.0 : 0.0;
+      noise.most_evaluations = options.most_evaluations - fit.evaluations;
+      noise.goes_on          = [&](const optimisation::ModelAtEnd &so_far) {
+        const int left = noise.most_evaluations - so_far.evaluations;
+        return to_hold(file, problem, uncertainty_of(file, problem, fit, so_far), left).empty();
+      };
+      return problem.at_end(options, fit, noise);
+    }
+
     void put_uncertainty(const CalibrationFile                        &file,
                          const SoughtConstants                        &problem,
                          const std::optional<statistics::Uncertainty> &sure,
@@ -151,7 +169,8 @@ namespace apps
                                    " lies on its bound: it has no error, and the others' hold for it there.");
         else if (!found.determined[k] && !std::isnan(found.standard_errors[k]))
           found.warnings.push_back("The targets say next to nothing of " + file.constants[k].name +
-                                   ": its band of 95 % is as wide as its bounds.");
+                                   ": its band of 95 % is as wide as its bounds, and Search/Most evaluations leaves no "
+                                   "search of the others without it.");
       if (found.noisy)
         found.warnings.push_back(fmt::format(
           "Runs scatter between neighbouring constants by {:.2g} of what they are off the targets by chance: "
@@ -199,10 +218,10 @@ namespace apps
 
   Calibration calibrate(const CalibrationFile &file, CalibrationRuns &runs, CalibrationRuns *const cheap)
   {
-    const double                            targets = runs.measured().cwiseQuotient(runs.scale()).squaredNorm();
-    const optimisation::LeastSquaresOptions options = options_of(file, runs, targets);
-    SoughtConstants                         problem(file, runs);
-    Calibration                             found;
+    const double                      targets = runs.measured().cwiseQuotient(runs.scale()).squaredNorm();
+    optimisation::LeastSquaresOptions options = options_of(file, runs, targets);
+    SoughtConstants                   problem(file, runs);
+    Calibration                       found;
     if (cheap)
       {
         SoughtConstants before(file, *cheap);
@@ -211,19 +230,23 @@ namespace apps
         found.cheap_evaluations = there.evaluations + end.evaluations;
         problem.begin_at(before);
       }
+    else if (const auto first = runs.predicted({problem.constants()}).front()) // the first set of the search
+      found.at_start = *first;
     std::vector<int>                       undetermined;
     optimisation::LeastSquaresFit          fit;
     optimisation::ModelAtEnd               end;
     std::optional<statistics::Uncertainty> sure;
     while (true)
       {
-        fit = problem.fit(options);
-        end = end_of(file, problem, options, fit);
+        options.most_evaluations = static_cast<int>(file.most_runs) - found.evaluations; // of all searches together
+        fit                      = problem.fit(options);
+        end                      = end_of(file, problem, options, fit);
         found.evaluations += fit.evaluations + end.evaluations;
         found.failed += fit.failed + end.failed;
-        sure                         = uncertainty_of(file, problem, fit, end);
-        const std::vector<int> fresh = undetermined_of(file, problem, sure);
-        if (fresh.empty() || fresh.size() == problem.kept().size())
+        sure = uncertainty_of(file, problem, fit, end);
+        const std::vector<int> fresh =
+          to_hold(file, problem, sure, static_cast<int>(file.most_runs) - found.evaluations);
+        if (fresh.empty())
           break;
         undetermined.insert(undetermined.end(), fresh.begin(), fresh.end());
         problem.hold_at_start(fresh);
