@@ -1,5 +1,6 @@
 #include "apps/studies/calibration.h"
 
+#include "apps/statistics/distributions.h"
 #include "apps/studies/calibration_doubts.h"
 #include "apps/studies/sought_constants.h"
 #include "base/errors.h"
@@ -110,22 +111,98 @@ namespace apps
       return fresh;
     }
 
+    /**
+     * Among all: those of which the targets, by derivatives where all are now, would say less than the bounds do even if all others were
+     * known. In a search noise would drive them from bound to bound. @param problem has these derivatives afterwards
+     */
+    std::vector<int> unseen(const CalibrationFile                   &file,
+                            SoughtConstants                         &problem,
+                            const optimisation::LeastSquaresOptions &options,
+                            Calibration                             &found)
+    {
+      std::vector<int> all;
+      const auto       here = problem.here();
+      if (!here)
+        return all;
+      const auto end = problem.at_end(options, *here, {optimisation::NoiseSearch::never, {}});
+      found.evaluations += end.evaluations;
+      found.failed += end.failed;
+      const double limit = statistics::half_normal_quantile(confidence);
+      for (Eigen::Index k = 0; k < end.jacobian.cols(); ++k)
+        if (const int own = problem.kept()[k];
+            relative_band(file, problem.constants()[own], limit / end.jacobian.col(k).norm(), own) >= 1)
+          all.push_back(own);
+      return all.size() < problem.kept().size() ? all : std::vector<int>();
+    }
+
     /** Where a search has ended. Where that shows what is not determined, no more is run for the noise: the others are sought again. */
     optimisation::ModelAtEnd end_of(const CalibrationFile                   &file,
                                     SoughtConstants                         &problem,
                                     const optimisation::LeastSquaresOptions &options,
-                                    const optimisation::LeastSquaresFit     &fit)
+                                    const optimisation::LeastSquaresFit     &fit,
+                                    const int                                left)
     {
       optimisation::NoiseOptions noise;
       noise.search           = has_errors(file, problem, fit) ? file.model_noise : optimisation::NoiseSearch::never;
       noise.wide_steps       = wide_step(file) * problem.ranges()(problem.kept());
       noise.deviation        = scatter_is_known(file) ? 1.0 : 0.0;
-      noise.most_evaluations = options.most_evaluations - fit.evaluations;
+      noise.most_evaluations = left;
       noise.goes_on          = [&](const optimisation::ModelAtEnd &so_far) {
-        const int left = noise.most_evaluations - so_far.evaluations;
-        return to_hold(file, problem, uncertainty_of(file, problem, fit, so_far), left).empty();
+        return to_hold(file, problem, uncertainty_of(file, problem, fit, so_far), left - so_far.evaluations).empty();
       };
       return problem.at_end(options, fit, noise);
+    }
+
+    /** What the last of several searches has come to. */
+    struct Searches
+    {
+      std::vector<int>                       undetermined; ///< held for good
+      optimisation::LeastSquaresFit          fit;
+      optimisation::ModelAtEnd               end;
+      std::optional<statistics::Uncertainty> sure;
+    };
+
+    /** Until all that is still sought is determined. @param screened whether what is not seen at the start is held until an answer shows it */
+    Searches search(const CalibrationFile            &file,
+                    SoughtConstants                  &problem,
+                    optimisation::LeastSquaresOptions options,
+                    const bool                        screened,
+                    Calibration                      &found)
+    {
+      // Of all searches together.
+      const auto left = [&] { return static_cast<int>(file.most_runs) - found.evaluations; };
+      const auto hold = [&problem](std::vector<int> &held, const std::vector<int> &fresh) {
+        held.insert(held.end(), fresh.begin(), fresh.end());
+        problem.hold_at_start(fresh);
+      };
+      Searches         all;
+      std::vector<int> for_later;
+      if (screened)
+        hold(for_later, unseen(file, problem, options, found));
+      while (true)
+        {
+          options.most_evaluations = left();
+          all.fit                  = problem.fit(options);
+          found.evaluations += all.fit.evaluations;
+          found.failed += all.fit.failed;
+          if (!for_later.empty())
+            {
+              problem.seek_again(for_later);
+              hold(all.undetermined, unseen(file, problem, options, found));
+              const bool as_before = all.undetermined == for_later;
+              for_later.clear();
+              if (!as_before)
+                continue;
+            }
+          all.end = end_of(file, problem, options, all.fit, left());
+          found.evaluations += all.end.evaluations;
+          found.failed += all.end.failed;
+          all.sure                     = uncertainty_of(file, problem, all.fit, all.end);
+          const std::vector<int> fresh = to_hold(file, problem, all.sure, left());
+          if (fresh.empty())
+            return all;
+          hold(all.undetermined, fresh);
+        }
     }
 
     void put_uncertainty(const CalibrationFile                        &file,
@@ -218,10 +295,10 @@ namespace apps
 
   Calibration calibrate(const CalibrationFile &file, CalibrationRuns &runs, CalibrationRuns *const cheap)
   {
-    const double                      targets = runs.measured().cwiseQuotient(runs.scale()).squaredNorm();
-    optimisation::LeastSquaresOptions options = options_of(file, runs, targets);
-    SoughtConstants                   problem(file, runs);
-    Calibration                       found;
+    const double                            targets = runs.measured().cwiseQuotient(runs.scale()).squaredNorm();
+    const optimisation::LeastSquaresOptions options = options_of(file, runs, targets);
+    SoughtConstants                         problem(file, runs);
+    Calibration                             found;
     if (cheap)
       {
         SoughtConstants before(file, *cheap);
@@ -232,28 +309,13 @@ namespace apps
       }
     else if (const auto first = runs.predicted({problem.constants()}).front()) // the first set of the search
       found.at_start = *first;
-    std::vector<int>                       undetermined;
-    optimisation::LeastSquaresFit          fit;
-    optimisation::ModelAtEnd               end;
-    std::optional<statistics::Uncertainty> sure;
-    while (true)
-      {
-        options.most_evaluations = static_cast<int>(file.most_runs) - found.evaluations; // of all searches together
-        fit                      = problem.fit(options);
-        end                      = end_of(file, problem, options, fit);
-        found.evaluations += fit.evaluations + end.evaluations;
-        found.failed += fit.failed + end.failed;
-        sure = uncertainty_of(file, problem, fit, end);
-        const std::vector<int> fresh =
-          to_hold(file, problem, sure, static_cast<int>(file.most_runs) - found.evaluations);
-        if (fresh.empty())
-          break;
-        undetermined.insert(undetermined.end(), fresh.begin(), fresh.end());
-        problem.hold_at_start(fresh);
-      }
-    constexpr double   nan = std::numeric_limits<double>::quiet_NaN();
-    const Eigen::Index n   = problem.constants().size();
-    found.constants        = problem.constants();
+    // A search begins with these derivatives, if it takes any that are known.
+    const bool screened =
+      !cheap && scatter_is_known(file) && file.updated_jacobian && file.method == SearchMethod::least_squares;
+    const auto [undetermined, fit, end, sure] = search(file, problem, options, screened, found);
+    constexpr double   nan                    = std::numeric_limits<double>::quiet_NaN();
+    const Eigen::Index n                      = problem.constants().size();
+    found.constants                           = problem.constants();
     found.standard_errors = found.lower = found.upper = Eigen::VectorXd::Constant(n, nan);
     found.determined.assign(static_cast<std::size_t>(n), false);
     found.correlation  = Eigen::MatrixXd::Identity(n, n);
