@@ -153,6 +153,41 @@ namespace optimisation
       return there.cwiseMax(problem.lower).cwiseMin(problem.upper);
     }
 
+    /**
+     * In steps of the problem, by the derivatives at a place: of what was measured, and of the noise of an answer.
+     * @param residuals there @param noise draws, a column each @param known deviation of a residual; 0: what no variable can take off them
+     */
+    Eigen::VectorXd standard_errors(const LeastSquaresProblem &problem,
+                                    const Eigen::MatrixXd     &jacobian,
+                                    const Eigen::VectorXd     &residuals,
+                                    const Eigen::MatrixXd     &noise,
+                                    const double               known)
+    {
+      const Eigen::MatrixXd by_steps = jacobian * problem.steps.asDiagonal();
+      const auto            solver   = by_steps.completeOrthogonalDecomposition();
+      const Eigen::MatrixXd inverse = solver.pseudoInverse(); // zero for variables on a bound, as their derivatives are
+      const auto            degrees = static_cast<double>(residuals.size() - solver.rank());
+      const double          left    = (residuals - by_steps * (inverse * residuals)).squaredNorm();
+      const double          variance = known > 0 ? known * known : degrees > 0 ? left / degrees : 0;
+      const Eigen::VectorXd by_noise = (inverse * noise).rowwise().squaredNorm() / static_cast<double>(noise.cols());
+      return (variance * inverse.rowwise().squaredNorm() + by_noise).cwiseSqrt();
+    }
+
+    /** Whether derivatives that were taken at a place hold at the next one: half a step away, or within what constants are known to. */
+    bool hold_at(const Eigen::VectorXd &way_in_steps, const Eigen::VectorXd &errors_in_steps)
+    {
+      constexpr double near = 0.5;
+      return (way_in_steps.cwiseAbs().array() <= errors_in_steps.array().max(near)).all();
+    }
+
+    /** With the noise that the place will have been found from. */
+    ModelAtEnd as_smoothed(ModelAtEnd so_far, const int evaluations)
+    {
+      so_far.share       = Line::share;
+      so_far.evaluations = evaluations;
+      return so_far;
+    }
+
     /** Of one more round of central differences and a line, and of the answer; the place itself is counted, but not run. */
     int evaluations_of_round(const LeastSquaresProblem &problem, const Eigen::VectorXd &place)
     {
@@ -160,24 +195,20 @@ namespace optimisation
       return 2 * static_cast<int>(free) + 5 + 1;
     }
 
-    /**
-     * @param wide the problem with wide steps, which begins at the end of the search @param first line through that @param most evaluations,
-     * where the first round does not need more
-     */
+    /** @param wide the problem with wide steps, which begins at the end of the search @param first line through that */
     void put_right(const LeastSquaresProblem &wide,
                    EvaluatedResiduals        &evaluated,
                    const Line                &first,
-                   const int                  most,
+                   const NoiseOptions        &options,
                    ModelAtEnd                &found)
     {
-      constexpr int    most_repeats = 4;
-      constexpr double near         = 0.5; // wide steps: derivatives hold there, too
-      Eigen::VectorXd  place = found.place, residuals = first.smooth_without_middle();
+      constexpr int   most_repeats = 4;
+      Eigen::VectorXd place = found.place, residuals = first.smooth_without_middle();
       append(first.noise(), found);
       for (int round = 0; round < most_repeats; ++round)
         {
           const int so_far = evaluated.evaluations() - 1; // the place itself belongs to the search
-          found.cut_short  = round > 0 && so_far + evaluations_of_round(wide, place) > most;
+          found.cut_short  = round > 0 && so_far + evaluations_of_round(wide, place) > options.most_evaluations;
           if (found.cut_short)
             break;
           evaluated.leave_out(on_bounds(wide, place)); // they stay there, and have no error
@@ -187,15 +218,18 @@ namespace optimisation
           found.jacobian  = *jacobian;
           found.of_column = found.noise.colwise().squaredNorm().mean() / 2; // of a difference over two steps
           append_all(noise_by_variable(wide, evaluated, place, root_mean_square(first.noise())), found);
+          if (round == 0 && options.goes_on && !options.goes_on(as_smoothed(found, evaluated.evaluations() - 1)))
+            return;
           const Eigen::VectorXd next = stepped(wide, place, *jacobian, residuals);
           const auto            line = Line::through(next, wide, wide.steps, evaluated);
           if (!line)
             return;
           append(line->noise(), found);
-          const bool is_near = ((next - place).cwiseQuotient(wide.steps).cwiseAbs().array() <= near).all();
-          place              = next;
-          residuals          = line->smooth();
-          if (is_near)
+          const bool hold = hold_at((next - place).cwiseQuotient(wide.steps),
+                                    standard_errors(wide, *jacobian, residuals, found.noise, options.deviation));
+          place           = next;
+          residuals       = line->smooth();
+          if (hold)
             break;
         }
       const Eigen::VectorXd last   = stepped(wide, place, found.jacobian, residuals);
@@ -236,7 +270,7 @@ namespace optimisation
             const double size   = root_mean_square(line->noise());
             found.largest_noise = deviation > 0 ? size / deviation : 0;
             if (noise.search == NoiseSearch::always || size > noise.of_concern * deviation)
-              put_right(wide, evaluated, *line, noise.most_evaluations, found);
+              put_right(wide, evaluated, *line, noise, found);
           }
         found.evaluations += evaluated.evaluations() - 1; // the place itself belongs to the search
         found.failed += evaluated.failed();

@@ -2,6 +2,8 @@
 
 #include "apps/optimisation/least_squares_search.h"
 
+#include <functional>
+
 namespace optimisation
 {
   /** When the noise of a model, the distance of its answers from a smooth function of its variables, is measured. */
@@ -12,6 +14,8 @@ namespace optimisation
     never
   };
 
+  struct ModelAtEnd;
+
   struct NoiseOptions
   {
     NoiseSearch     search = NoiseSearch::where_it_matters;
@@ -19,6 +23,8 @@ namespace optimisation
     double          deviation        = 0; ///< of a residual; 0: from the residuals
     double          of_concern       = 0.1;     ///< noise over that deviation from which on it matters
     int             most_evaluations = 1000000; ///< derivatives are taken anew only where that is possible with no more
+    /** Asked after the first derivatives over wide steps, and their noise: false where these suffice to hold a variable, say. Empty: it goes on. */
+    std::function<bool(const ModelAtEnd &so_far)> goes_on = {};
   };
 
   /** The end of a search, corrected for its noise. */
@@ -40,7 +46,8 @@ namespace optimisation
    * Derivatives and noise where a search has ended (doc/theory/studies.md, 8). The fourth difference along a line through the place, in all
    * variables at once, vanishes for a smooth model but for its fourth derivative. Where it shows noise that matters, the place is one of many
    * where the noise happens to make squares small: two steps of Gauss and Newton lead from there, by derivatives over wide steps and
-   * residuals smoothed along such lines, none of which the search has seen.
+   * residuals smoothed along such lines, none of which the search has seen. Derivatives are taken anew where a step was longer than half a wide
+   * one and than a standard error.
    * @param options those of the search @param fit its end @throws base::InputError as least_squares()
    */
   ModelAtEnd model_at_end(const LeastSquaresProblem &problem,

@@ -1,5 +1,6 @@
 #include "apps/studies/calibration.h"
 
+#include "apps/statistics/distributions.h"
 #include "apps/studies/calibration_doubts.h"
 #include "apps/studies/sought_constants.h"
 #include "base/errors.h"
@@ -41,19 +42,6 @@ namespace apps
     {
       const auto held = static_cast<Eigen::Index>(on_bounds(file, problem).size());
       return scatter_is_known(file) || fit.residuals.size() > fit.place.size() - held;
-    }
-
-    optimisation::ModelAtEnd end_of(const CalibrationFile                   &file,
-                                    SoughtConstants                         &problem,
-                                    const optimisation::LeastSquaresOptions &options,
-                                    const optimisation::LeastSquaresFit     &fit)
-    {
-      optimisation::NoiseOptions noise;
-      noise.search           = has_errors(file, problem, fit) ? file.model_noise : optimisation::NoiseSearch::never;
-      noise.wide_steps       = wide_step(file) * problem.ranges()(problem.kept());
-      noise.deviation        = scatter_is_known(file) ? 1.0 : 0.0;
-      noise.most_evaluations = options.most_evaluations - fit.evaluations;
-      return problem.at_end(options, fit, noise);
     }
 
     /** Nothing where there are no errors, or no derivatives. */
@@ -110,6 +98,113 @@ namespace apps
       return fresh;
     }
 
+    /** Among all: those that are not determined, where others are and can still be sought again. @param left sets that may be run */
+    std::vector<int> to_hold(const CalibrationFile                        &file,
+                             const SoughtConstants                        &problem,
+                             const std::optional<statistics::Uncertainty> &sure,
+                             const int                                     left)
+    {
+      std::vector<int> fresh  = undetermined_of(file, problem, sure);
+      const int        others = static_cast<int>(problem.kept().size()) - static_cast<int>(fresh.size());
+      if (others == 0 || left < others + 2) // the new start, derivatives and a step
+        fresh.clear();
+      return fresh;
+    }
+
+    /**
+     * Among all: those of which the targets, by derivatives where all are now, would say less than the bounds do even if all others were
+     * known. In a search noise would drive them from bound to bound. @param problem has these derivatives afterwards
+     */
+    std::vector<int> unseen(const CalibrationFile                   &file,
+                            SoughtConstants                         &problem,
+                            const optimisation::LeastSquaresOptions &options,
+                            Calibration                             &found)
+    {
+      std::vector<int> all;
+      const auto       here = problem.here();
+      if (!here)
+        return all;
+      const auto end = problem.at_end(options, *here, {optimisation::NoiseSearch::never, {}});
+      found.evaluations += end.evaluations;
+      found.failed += end.failed;
+      const double limit = statistics::half_normal_quantile(confidence);
+      for (Eigen::Index k = 0; k < end.jacobian.cols(); ++k)
+        if (const int own = problem.kept()[k];
+            relative_band(file, problem.constants()[own], limit / end.jacobian.col(k).norm(), own) >= 1)
+          all.push_back(own);
+      return all.size() < problem.kept().size() ? all : std::vector<int>();
+    }
+
+    /** Where a search has ended. Where that shows what is not determined, no more is run for the noise: the others are sought again. */
+    optimisation::ModelAtEnd end_of(const CalibrationFile                   &file,
+                                    SoughtConstants                         &problem,
+                                    const optimisation::LeastSquaresOptions &options,
+                                    const optimisation::LeastSquaresFit     &fit,
+                                    const int                                left)
+    {
+      optimisation::NoiseOptions noise;
+      noise.search           = has_errors(file, problem, fit) ? file.model_noise : optimisation::NoiseSearch::never;
+      noise.wide_steps       = wide_step(file) * problem.ranges()(problem.kept());
+      noise.deviation        = scatter_is_known(file) ? 1.0 : 0.0;
+      noise.most_evaluations = left;
+      noise.goes_on          = [&](const optimisation::ModelAtEnd &so_far) {
+        return to_hold(file, problem, uncertainty_of(file, problem, fit, so_far), left - so_far.evaluations).empty();
+      };
+      return problem.at_end(options, fit, noise);
+    }
+
+    /** What the last of several searches has come to. */
+    struct Searches
+    {
+      std::vector<int>                       undetermined; ///< held for good
+      optimisation::LeastSquaresFit          fit;
+      optimisation::ModelAtEnd               end;
+      std::optional<statistics::Uncertainty> sure;
+    };
+
+    /** Until all that is still sought is determined. @param screened whether what is not seen at the start is held until an answer shows it */
+    Searches search(const CalibrationFile            &file,
+                    SoughtConstants                  &problem,
+                    optimisation::LeastSquaresOptions options,
+                    const bool                        screened,
+                    Calibration                      &found)
+    {
+      // Of all searches together.
+      const auto left = [&] { return static_cast<int>(file.most_runs) - found.evaluations; };
+      const auto hold = [&problem](std::vector<int> &held, const std::vector<int> &fresh) {
+        held.insert(held.end(), fresh.begin(), fresh.end());
+        problem.hold_at_start(fresh);
+      };
+      Searches         all;
+      std::vector<int> for_later;
+      if (screened)
+        hold(for_later, unseen(file, problem, options, found));
+      while (true)
+        {
+          options.most_evaluations = left();
+          all.fit                  = problem.fit(options);
+          found.evaluations += all.fit.evaluations;
+          found.failed += all.fit.failed;
+          if (!for_later.empty())
+            {
+              problem.seek_again(for_later);
+              hold(all.undetermined, unseen(file, problem, options, found));
+              const bool as_before = all.undetermined == for_later;
+              for_later.clear();
+              if (!as_before)
+                continue;
+            }
+          all.end = end_of(file, problem, options, all.fit, left());
+          found.evaluations += all.end.evaluations;
+          found.failed += all.end.failed;
+          all.sure                     = uncertainty_of(file, problem, all.fit, all.end);
+          const std::vector<int> fresh = to_hold(file, problem, all.sure, left());
+          if (fresh.empty())
+            return all;
+          hold(all.undetermined, fresh);
+        }
+    }
+
     void put_uncertainty(const CalibrationFile                        &file,
                          const SoughtConstants                        &problem,
                          const std::optional<statistics::Uncertainty> &sure,
@@ -151,7 +246,8 @@ namespace apps
                                    " lies on its bound: it has no error, and the others' hold for it there.");
         else if (!found.determined[k] && !std::isnan(found.standard_errors[k]))
           found.warnings.push_back("The targets say next to nothing of " + file.constants[k].name +
-                                   ": its band of 95 % is as wide as its bounds.");
+                                   ": its band of 95 % is as wide as its bounds, and Search/Most evaluations leaves no "
+                                   "search of the others without it.");
       if (found.noisy)
         found.warnings.push_back(fmt::format(
           "Runs scatter between neighbouring constants by {:.2g} of what they are off the targets by chance: "
@@ -211,26 +307,15 @@ namespace apps
         found.cheap_evaluations = there.evaluations + end.evaluations;
         problem.begin_at(before);
       }
-    std::vector<int>                       undetermined;
-    optimisation::LeastSquaresFit          fit;
-    optimisation::ModelAtEnd               end;
-    std::optional<statistics::Uncertainty> sure;
-    while (true)
-      {
-        fit = problem.fit(options);
-        end = end_of(file, problem, options, fit);
-        found.evaluations += fit.evaluations + end.evaluations;
-        found.failed += fit.failed + end.failed;
-        sure                         = uncertainty_of(file, problem, fit, end);
-        const std::vector<int> fresh = undetermined_of(file, problem, sure);
-        if (fresh.empty() || fresh.size() == problem.kept().size())
-          break;
-        undetermined.insert(undetermined.end(), fresh.begin(), fresh.end());
-        problem.hold_at_start(fresh);
-      }
-    constexpr double   nan = std::numeric_limits<double>::quiet_NaN();
-    const Eigen::Index n   = problem.constants().size();
-    found.constants        = problem.constants();
+    else if (const auto first = runs.predicted({problem.constants()}).front()) // the first set of the search
+      found.at_start = *first;
+    // A search begins with these derivatives, if it takes any that are known.
+    const bool screened =
+      !cheap && scatter_is_known(file) && file.updated_jacobian && file.method == SearchMethod::least_squares;
+    const auto [undetermined, fit, end, sure] = search(file, problem, options, screened, found);
+    constexpr double   nan                    = std::numeric_limits<double>::quiet_NaN();
+    const Eigen::Index n                      = problem.constants().size();
+    found.constants                           = problem.constants();
     found.standard_errors = found.lower = found.upper = Eigen::VectorXd::Constant(n, nan);
     found.determined.assign(static_cast<std::size_t>(n), false);
     found.correlation  = Eigen::MatrixXd::Identity(n, n);

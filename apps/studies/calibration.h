@@ -32,6 +32,7 @@ namespace apps
     std::vector<bool> determined;
     Eigen::MatrixXd   correlation;
     double            condition = 0;
+    Eigen::VectorXd   at_start;               ///< what the constants of the start give; empty where that was not run
     Eigen::VectorXd   predicted, half_widths; ///< for what was measured; bands of 95 %
     double            relative_sum = 0;       ///< sum of squared deviations over squared targets, in their scales
     int               evaluations = 0, failed = 0;

@@ -43,6 +43,8 @@ namespace apps
           nlohmann::json json = {{"measured", runs.measured()[begin]},
                                  {"predicted", found.predicted[begin]},
                                  {"half_width_95", found.half_widths[begin]}};
+          if (found.at_start.size() > 0)
+            json["at_start"] = found.at_start[begin];
           if (found.posterior)
             json["posterior_band_95"] = {found.posterior->lowest[begin], found.posterior->highest[begin]};
           return json;

@@ -1,5 +1,6 @@
 #include "apps/results/warning.h"
 #include "apps/studies/calibration.h"
+#include "apps/studies/calibration_picture.h"
 #include "apps/studies/repeatable_page.h"
 #include "postprocess/files/atomic_file.h"
 #include "postprocess/files/html_page.h"
@@ -7,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace apps
@@ -131,6 +133,11 @@ namespace apps
     page.heading("Targets");
     page.paragraph("A curve is off by the root mean square of its deviations over that of its ordinates.");
     page.table(targets_table(file, runs, found));
+    if (std::any_of(file.targets.begin(), file.targets.end(), [](const auto &target) { return !target.is_curve(); }))
+      {
+        warn_of_missing("figures.png", draw_figures_and_constants(file, runs, found, folder / "figures.png"));
+        page.picture(folder / "figures.png", "How far figures are off, and where constants lie between their bounds");
+      }
     for (std::size_t k = 0; k < file.targets.size(); ++k)
       if (file.targets[k].is_curve())
         {

@@ -43,6 +43,13 @@ namespace apps
       known_jacobian = Eigen::MatrixXd(known_jacobian(Eigen::all, columns));
   }
 
+  void SoughtConstants::seek_again(const std::vector<int> &held)
+  {
+    sought.insert(sought.end(), held.begin(), held.end());
+    std::sort(sought.begin(), sought.end());
+    known_jacobian = {};
+  }
+
   void SoughtConstants::begin_at(const SoughtConstants &other)
   {
     all            = other.all;
@@ -77,6 +84,17 @@ namespace apps
     };
     made.first_jacobian = known_jacobian;
     return made;
+  }
+
+  std::optional<optimisation::LeastSquaresFit> SoughtConstants::here()
+  {
+    optimisation::LeastSquaresFit there;
+    there.place       = all(sought);
+    const auto answer = problem().residuals({there.place}).front();
+    if (!answer)
+      return std::nullopt;
+    there.residuals = *answer;
+    return there;
   }
 
   optimisation::LeastSquaresFit SoughtConstants::fit(const optimisation::LeastSquaresOptions &options)

@@ -3,6 +3,7 @@
 #include "apps/optimisation/model_noise.h"
 #include "apps/studies/calibration_runs.h"
 
+#include <optional>
 #include <vector>
 
 namespace apps
@@ -19,9 +20,13 @@ namespace apps
     Eigen::VectorXd         ranges() const;
 
     void hold_at_start(const std::vector<int> &held);
+    /** Those that were held are sought as well. */
+    void seek_again(const std::vector<int> &held);
     /** Where another model has its answer, with its derivatives. */
     void begin_at(const SoughtConstants &other);
 
+    /** Where they are now, as if a search had ended there; nothing where that has no answer. @throws as CalibrationRuns::predicted() */
+    std::optional<optimisation::LeastSquaresFit> here();
     /** Search from where they are now. @throws as CalibrationRuns::predicted() */
     optimisation::LeastSquaresFit fit(const optimisation::LeastSquaresOptions &options);
     /** The end of that search, put right where the noise of the runs matters. @param fit what fit() has found @throws likewise */

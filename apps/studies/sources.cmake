@@ -10,6 +10,7 @@ set(apps_sources
   studies/calibration_files.cc
   studies/calibration_jobs.cc
   studies/calibration_measured.cc
+  studies/calibration_picture.cc
   studies/calibration_posterior.cc
   studies/calibration_report.cc
   studies/calibration_runs.cc

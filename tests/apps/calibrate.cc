@@ -146,6 +146,16 @@ TEST_CASE("a constant whose band fills its bounds is not called determined, and 
   CHECK(constants["modulus"]["value"].get<double>() == 22e9);
   CHECK(constants["limit"]["determined"] == true);
   CHECK_THAT(outcome.out, Contains("do not determine modulus: it is held at its start"));
+  CHECK(std::filesystem::file_size(folder / "out/figures.png") > 1000);
+  CHECK_THAT(content_of(folder / "out/report.html"), Contains("data:image/png;base64,iVBORw0KGgo"));
+
+  // Sets of constants are those of all searches together: where none is left, all are sought to the end.
+  const Outcome few = calibrate(folder, {"-o", "few", "-s", "Search/Most evaluations=4"});
+  REQUIRE(few.status == 0);
+  CHECK_THAT(few.out, Contains("say next to nothing of modulus") && !Contains("held at its start"));
+  const auto found = nlohmann::json::parse(content_of(folder / "few/calibration.json"));
+  CHECK(found["constants"]["modulus"]["determined"] == false);
+  CHECK(found["targets"]["E"]["at_start"].get<double>() > 0);
 }
 
 TEST_CASE("a posterior by an emulator has bands of constants and of the curve, and the report shows them",
@@ -191,7 +201,9 @@ TEST_CASE("a cheap model first leaves the costly one few runs, and gives the sam
   const ScratchFolder folder;
   const std::string   text = two_constants(stack_figures("33e9", "0.5e9"));
   write_calibration(folder, text);
-  REQUIRE(calibrate(folder, {"-o", "alone"}).status == 0);
+  REQUIRE(calibrate(folder, {"-o", "alone", "--processes", "1"}).status == 0);
+  REQUIRE(calibrate(folder, {"-o", "three", "--processes", "3"}).status == 0);
+  CHECK(content_of(folder / "three/calibration.json") == content_of(folder / "alone/calibration.json"));
   const auto with_cheap = [&](const std::string &changes) {
     write_calibration(folder,
                       replaced(text, "subsection Constants",

@@ -134,40 +134,101 @@ TEST_CASE("noise of a model: a constant on its bound stays there and costs no ru
         4 + 4 * (4 + 5) + 1); // a line, at most four times central differences and a line, the answer
 }
 
+namespace
+{
+  /** Far from its start, and rough; the sum of squares is least at 0.7, 0.6. */
+  optimisation::LeastSquaresProblem rough_planes()
+  {
+    optimisation::LeastSquaresProblem problem;
+    problem.start     = Eigen::Vector2d(0.2, 0.2);
+    problem.lower     = Eigen::Vector2d::Zero();
+    problem.upper     = Eigen::Vector2d::Ones();
+    problem.steps     = Eigen::Vector2d::Constant(0.03);
+    problem.residuals = [](const std::vector<Eigen::VectorXd> &places) {
+      std::vector<std::optional<Eigen::VectorXd>> all;
+      for (const Eigen::VectorXd &place : places)
+        all.emplace_back(Eigen::Vector4d(place[0] - 0.7, place[1] - 0.6, place.sum() - 1.3, place[0] - place[1] - 0.1) +
+                         0.01 * (1e4 * Eigen::Vector4d(1, 2, 3, 4) * place.sum()).array().sin().matrix());
+      return all;
+    };
+    return problem;
+  }
+
+  /** As if a search had ended at its start. */
+  optimisation::LeastSquaresFit ended_at_start(const optimisation::LeastSquaresProblem &problem)
+  {
+    optimisation::LeastSquaresFit there;
+    there.place     = problem.start;
+    there.residuals = *problem.residuals({problem.start}).front();
+    return there;
+  }
+
+  optimisation::NoiseOptions noise_wanted()
+  {
+    optimisation::NoiseOptions noise;
+    noise.search     = optimisation::NoiseSearch::always;
+    noise.wide_steps = Eigen::Vector2d::Constant(0.06);
+    return noise;
+  }
+
+  constexpr int on_a_line = 4, in_a_round = 2 * 2 + 5, answer = 1; // evaluations of two variables
+} // namespace
+
 TEST_CASE("noise of a model: derivatives are taken anew only where evaluations are left, and it says so",
           "[optimisation]")
 {
-  optimisation::LeastSquaresProblem problem;
-  problem.start     = Eigen::Vector2d(0.2, 0.2);
-  problem.lower     = Eigen::Vector2d::Zero();
-  problem.upper     = Eigen::Vector2d::Ones();
-  problem.steps     = Eigen::Vector2d::Constant(0.03);
-  problem.residuals = [](const std::vector<Eigen::VectorXd> &places) {
-    std::vector<std::optional<Eigen::VectorXd>> all;
-    for (const Eigen::VectorXd &place : places) // far from the start, and rough
-      all.emplace_back(Eigen::Vector4d(place[0] - 0.7, place[1] - 0.6, place.sum() - 1.3, place[0] - place[1] - 0.1) +
-                       0.01 * (1e4 * Eigen::Vector4d(1, 2, 3, 4) * place.sum()).array().sin().matrix());
-    return all;
-  };
-  optimisation::LeastSquaresFit there; // as if the search had ended far from the least sum
-  there.place     = problem.start;
-  there.residuals = *problem.residuals({problem.start}).front();
-  optimisation::NoiseOptions noise;
-  noise.search        = optimisation::NoiseSearch::always;
-  noise.wide_steps    = Eigen::Vector2d::Constant(0.06);
-  const auto free     = optimisation::model_at_end(problem, {}, there, noise);
-  const int  in_round = 2 * 2 + 5;
+  const auto                 problem = rough_planes();
+  const auto                 there   = ended_at_start(problem);
+  optimisation::NoiseOptions noise   = noise_wanted();
+  const auto                 free    = optimisation::model_at_end(problem, {}, there, noise);
   CHECK_FALSE(free.cut_short);
-  CHECK(free.evaluations > 4 + 2 * in_round);
-  noise.most_evaluations = 4 + 2 * in_round + 1; // of the line, two rounds and the answer
+  CHECK(free.evaluations > on_a_line + 2 * in_a_round);
+  noise.most_evaluations = on_a_line + 2 * in_a_round + answer;
   const auto two         = optimisation::model_at_end(problem, {}, there, noise);
   CHECK(two.cut_short);
   CHECK(two.evaluations == noise.most_evaluations);
   --noise.most_evaluations;
   const auto one = optimisation::model_at_end(problem, {}, there, noise);
   CHECK(one.cut_short);
-  CHECK(one.evaluations == 4 + in_round + 1);
+  CHECK(one.evaluations == on_a_line + in_a_round + answer);
   CHECK(one.noise.cols() > 0);
+}
+
+TEST_CASE("noise of a model: derivatives are not taken anew within what constants are known to", "[optimisation]")
+{
+  // Standard errors of these planes: the deviation over the root of three, along each variable. Steps are at most two wide ones, 0.12.
+  const auto                 problem = rough_planes();
+  const auto                 there   = ended_at_start(problem);
+  optimisation::NoiseOptions noise   = noise_wanted();
+  noise.deviation                    = 0.13 * std::sqrt(3.0);
+  const auto unsure                  = optimisation::model_at_end(problem, {}, there, noise);
+  CHECK(unsure.evaluations == on_a_line + in_a_round + answer);
+  CHECK_FALSE(unsure.cut_short);
+  noise.deviation = 0.08 * std::sqrt(3.0);
+  CHECK(optimisation::model_at_end(problem, {}, there, noise).evaluations > on_a_line + 2 * in_a_round);
+}
+
+TEST_CASE("noise of a model: whoever holds a variable for what the first derivatives show runs no more",
+          "[optimisation]")
+{
+  const auto                 problem = rough_planes();
+  const auto                 there   = ended_at_start(problem);
+  optimisation::NoiseOptions noise   = noise_wanted();
+  int                        asked   = 0;
+  noise.goes_on                      = [&](const optimisation::ModelAtEnd &so_far) {
+    ++asked;
+    CHECK(so_far.evaluations == on_a_line + 2 * 2);
+    CHECK(so_far.jacobian(2, 0) == Approx(1).margin(0.3)); // of the third plane, but for noise of 0.01 over 0.12
+    CHECK(so_far.noise.cols() > 0);
+    return false;
+  };
+  const auto end = optimisation::model_at_end(problem, {}, there, noise);
+  CHECK(asked == 1);
+  CHECK(end.evaluations == on_a_line + 2 * 2);
+  CHECK(end.place == problem.start);
+  noise.goes_on = [&](const optimisation::ModelAtEnd &) { return ++asked > 1; };
+  CHECK(optimisation::model_at_end(problem, {}, there, noise).evaluations > on_a_line + 2 * in_a_round);
+  CHECK(asked == 2);
 }
 
 TEST_CASE("uncertainty: standard errors of a straight line are those of the textbook", "[optimisation]")
