@@ -164,7 +164,10 @@ namespace dem
       }
     const Eigen::MatrixXd force = factor.solve(slip);
     for (std::size_t i = 0; i < changed.size(); ++i)
-      answers -= answer.middleCols(place[changed[i]], rows) * force.middleRows(static_cast<Eigen::Index>(n * i), rows);
+      for (Eigen::Index k = 0; k < rows; ++k)
+        for (Eigen::Index column = 0; column < answers.cols(); ++column)
+          answers.col(column) -=
+            force(static_cast<Eigen::Index>(n * i) + k, column) * answer.col(place[changed[i]] + k);
   }
 
   Eigen::MatrixXd ChangedLinks::under_loads(const std::vector<int> &parameters) const
