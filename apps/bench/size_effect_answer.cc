@@ -61,7 +61,8 @@ namespace apps
           attempt("of both kinds", [&] { fit_universal(universal); });
         if (!notched.empty())
           attempt(predicted.name, [&] { predict(predicted); });
-        answer.laws = {one, free, universal, predicted};
+        answer.laws  = {one, free, universal, predicted};
+        answer.model = strength_of(true) / strength_of(false);
         return answer;
       }
 
@@ -122,6 +123,12 @@ namespace apps
                                            in_words(law.energy, 1, " J/m²"), in_words(law.zone, 1e3, " mm"),
                                            in_words(law.strength, 1e-6, " MPa"), in_words(law.layer, 1e3, " mm"),
                                            in_words(law.exponent, 1, "")));
+      }
+
+      /** Mean of the notched beams of the one size. */
+      double strength_of(const bool all_particles) const
+      {
+        return figure_of(all, {one_size, 1, true, all_particles, false}, &BrokenBeam::strength).mean;
       }
 
       void predict(NamedLaw &predicted)

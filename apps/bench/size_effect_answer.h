@@ -30,6 +30,11 @@ namespace apps
   {
     std::vector<NamedLaw>    laws;  ///< the last is predicted from one size
     std::vector<std::string> words; ///< lines about their constants, and why laws are not there
+    /**
+     * The model, calibrated on one size: what notched beams of it bear that are all of particles, over those with elements. By it strengths with
+     * elements predict the other sizes (doc/theory/size-effect.md, 6). Not a number where there are none.
+     */
+    double model = 0;
   };
 
   /** Of the beams of a size with elements around their core, or all of particles. */

@@ -72,11 +72,13 @@ namespace apps
           with.all_particles          = false;
           const FigureOfSize direct   = figure_of(all, b.of, &BrokenBeam::strength),
                              elements = figure_of(all, with, &BrokenBeam::strength);
-          md += fmt::format("| {} | {:g} | {:.3f} ± {:.3f} | {:.0f} | {:.0f} | {:.3f} ({:+.1f} %) | {} |\n",
+          const auto model            = [&](const double) { return answer.model * elements.mean; };
+          md += fmt::format("| {} | {:g} | {:.3f} ± {:.3f} | {:.0f} | {:.0f} | {:.3f} ({:+.1f} %) | {} | {} |\n",
                             kind_of(b.of.notched), 1e3 * b.depth, 1e-6 * direct.mean, 1e-6 * direct.deviation,
                             b.particles, figure_of(all, b.of, &BrokenBeam::cost).mean, 1e-6 * elements.mean,
                             100 * (elements.mean / direct.mean - 1),
-                            off(answer.laws.back().of(b.of.notched), b.depth, direct.mean));
+                            off(answer.laws.back().of(b.of.notched), b.depth, direct.mean),
+                            std::isfinite(answer.model) ? off(model, b.depth, direct.mean) : "-");
         }
       return md;
     }

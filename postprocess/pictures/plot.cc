@@ -54,16 +54,26 @@ namespace postprocess
       return kept;
     }
 
+    /** Of an error bar; none that a logarithmic axis could not show. */
+    double lower_end(const PlotPanel &panel, const PlotSeries &series, const std::size_t i)
+    {
+      const double lower = series.y_error.empty() ? series.y[i] : series.y[i] - series.y_error[i];
+      return panel.log_y && lower <= 0 ? series.y[i] : lower;
+    }
+
+    double upper_end(const PlotSeries &series, const std::size_t i)
+    {
+      return series.y_error.empty() ? series.y[i] : series.y[i] + series.y_error[i];
+    }
+
     /** Rows of x, y, lower and upper end of the error bar; an empty row interrupts the line. */
     std::string data_of(const PlotPanel &panel, const PlotSeries &series)
     {
       std::string text;
       for (std::size_t i = 0; i < series.x.size(); ++i)
         {
-          const double error = series.y_error.empty() ? 0 : series.y_error[i];
-          const double lower = panel.log_y && series.y[i] - error <= 0 ? series.y[i] : series.y[i] - error;
           if (is_drawn(panel, series, i))
-            for (const double value : {series.x[i], series.y[i], lower, series.y[i] + error})
+            for (const double value : {series.x[i], series.y[i], lower_end(panel, series, i), upper_end(series, i)})
               {
                 numeric_text::append(text, value);
                 text += ' ';
@@ -129,18 +139,49 @@ namespace postprocess
       return text + "\n";
     }
 
-    /** A logarithmic axis ends where its points do, not at whole decades, which may be far from these. */
-    std::string range_of(const PlotPanel &panel)
+    /** From the lowest end of an error bar to the highest. */
+    std::pair<double, double> drawn_heights(const PlotPanel &panel)
     {
-      const auto [low, high] = drawn_range(panel);
-      if (!panel.log_x || !(high > low))
-        return "set autoscale x\n";
-      constexpr double room = 1.05;
-      std::string      text = "set xrange [";
+      double low = 1e300, high = -1e300;
+      for (const PlotSeries &series : panel.series)
+        for (std::size_t i = 0; i < series.x.size(); ++i)
+          if (is_drawn(panel, series, i))
+            {
+              low  = std::min(low, lower_end(panel, series, i));
+              high = std::max(high, upper_end(series, i));
+            }
+      return {low, high};
+    }
+
+    /** Twos and fives beside the decades, as many as lie in the range; of a narrow one threes and sevens too. */
+    std::string ticks_between_decades(const double low, const double high)
+    {
+      const bool  narrow = high < 8 * low;
+      std::string text;
+      for (double decade = std::pow(10.0, std::floor(std::log10(low))); decade <= high; decade *= 10)
+        for (const int digit : {2, 3, 5, 7})
+          if (const double tick = digit * decade; tick >= low && tick <= high && (narrow || digit == 2 || digit == 5))
+            numeric_text::append(text += text.empty() ? "" : ", ", tick);
+      return text;
+    }
+
+    /**
+     * A logarithmic axis ends where its points do, not at whole decades, which may be far from these.
+     * @param axis its letter @param room beyond the ends, as a factor
+     */
+    std::string
+    range_of(const char axis, const bool logarithmic, const std::pair<double, double> &drawn, const double room)
+    {
+      const auto [low, high] = drawn;
+      if (!logarithmic || !(high > low))
+        return std::string("set autoscale ") + axis + "\n";
+      std::string text = std::string("set ") + axis + "range [";
       numeric_text::append(text, low / room);
       numeric_text::append(text += ':', high * room);
+      text += "]\n";
       // Within one decade only its own number would be named.
-      return text + (high < 30 * low ? "]\nset xtics add (2, 5, 20, 50, 200, 500, 2000, 5000)\n" : "]\n");
+      const std::string between = high < 30 * low ? ticks_between_decades(low / room, high * room) : "";
+      return between.empty() ? text : text + "set " + axis + "tics add (" + between + ")\n";
     }
 
     std::string axes_of(const PlotPanel &panel)
@@ -151,8 +192,10 @@ namespace postprocess
       text += ticks_of(panel);
       text += panel.equal_axes ? "set size ratio -1\n" : "set size noratio\n";
       text += panel.log_x ? "set logscale x\nset format x '%h'\n" : "unset logscale x\nset format x '%h'\n";
-      text += range_of(panel);
+      text += range_of('x', panel.log_x, drawn_range(panel), 1.05);
       text += panel.log_y ? "set logscale y\nset format y '%h'\n" : "unset logscale y\nset format y '%h'\n";
+      text += "set ytics autofreq\n";
+      text += range_of('y', panel.log_y, drawn_heights(panel), 1.1);
       return text;
     }
 

@@ -50,16 +50,36 @@ namespace postprocess
       return material_colours[static_cast<std::size_t>(material - 1) % material_colours.size()];
     }
 
-    /** Dots on what is of that material. */
+    /** "NAME" of "NAME+2", which is the same material by another number. */
+    std::string without_number(const std::string &name)
+    {
+      const std::size_t plus     = name.rfind('+');
+      const bool        numbered = plus != std::string::npos && plus > 0 && plus + 1 < name.size() &&
+                            name.find_first_not_of("0123456789", plus + 1) == std::string::npos;
+      return numbered ? name.substr(0, plus) : name;
+    }
+
+    /** The first number of a material that has several. */
+    std::int32_t first_number(const std::int32_t material, const std::vector<std::string> &names)
+    {
+      if (static_cast<std::size_t>(material) >= names.size())
+        return material;
+      const auto first =
+        std::find(names.begin(), names.end(), without_number(names[static_cast<std::size_t>(material)]));
+      return first == names.end() ? material : static_cast<std::int32_t>(first - names.begin());
+    }
+
+    /** Dots on what is of that material, by any of its numbers. */
     std::string dot_rows(const dem::ParticleOutput      &particles,
                          const PictureView              &view,
                          const std::vector<std::size_t> &shown,
+                         const std::vector<std::string> &names,
                          const std::int32_t              material,
                          const double                    scale)
     {
       std::string text;
       for (const std::size_t i : shown)
-        if (particles.material[i] == material)
+        if (first_number(particles.material[i], names) == material)
           append_row(text,
                      {scale * view.on_paper(i).x(), scale * view.on_paper(i).y(), 0.4 * scale * particles.radius[i]});
       return text;
@@ -77,7 +97,7 @@ namespace postprocess
         particles.material.empty() ? 0 : *std::max_element(particles.material.begin(), particles.material.end());
       for (std::int32_t material = 1; material <= last; ++material)
         {
-          const std::string rows = dot_rows(particles, view, shown, material, scale);
+          const std::string rows = dot_rows(particles, view, shown, names, material, scale);
           if (rows.empty())
             continue;
           const auto        number = static_cast<std::size_t>(material);

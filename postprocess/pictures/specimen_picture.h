@@ -17,7 +17,7 @@ namespace postprocess
       position; ///< of its middle plane [m], as the specimen was made; absent: the specimen's middle
     std::optional<double> thickness;   ///< [m]; absent: two mean particle diameters
     double                magnify = 1; ///< displacements are drawn this many times as large, which opens cracks to view
-    std::vector<std::string>                  materials; ///< their names, for the legend; where there are several
+    std::vector<std::string>                  materials; ///< names for the legend, where several; NAME+2 is NAME
     std::vector<std::vector<Eigen::Vector2d>> bodies;    ///< polygons behind the particles, in the picture's plane [m]
     std::vector<dem::LinkImage>               images;    ///< that the links lead to; empty: nothing is periodic
   };

@@ -289,6 +289,22 @@ TEST_CASE("materials are named in the legend", "[postprocess]")
   CHECK(picture(named) != plain);
 }
 
+TEST_CASE("a material of several numbers is one in colour and legend", "[postprocess]")
+{
+  const ScratchFolder folder;
+  auto                particles = postprocess_tests::numbered_particles(6);
+  const auto          picture = [&](const std::vector<std::int32_t> &material, const std::vector<std::string> &names) {
+    PictureSlab slab;
+    slab.materials     = names;
+    particles.material = material;
+    REQUIRE(picture_of_specimen(folder / "p.png", particles, {}, "title", slab) == "");
+    return content_of(folder / "p.png");
+  };
+  const std::vector<std::int32_t> three = {0, 1, 2, 1, 0, 2}, two = {0, 1, 1, 1, 0, 1};
+  CHECK(picture(three, {"mortar", "aggregate", "aggregate+2"}) == picture(two, {"mortar", "aggregate", "other"}));
+  CHECK(picture(three, {"mortar", "aggregate", "steel+2"}) != picture(two, {"mortar", "aggregate", "other"}));
+}
+
 TEST_CASE("lengths are drawn in the unit of their size, with ticks that have room for their labels", "[postprocess]")
 {
   CHECK(std::string(length_unit(12).name) == "m");
