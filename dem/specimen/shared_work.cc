@@ -136,11 +136,11 @@ namespace dem
   void SharedWork::share_motion(Particles                         &particles,
                                 std::vector<ParticleBlockAccount> &accounts,
                                 const std::vector<std::int32_t>   &by_all,
-                                const std::vector<std::int32_t>   &held)
+                                const std::vector<std::int32_t>   &moved_by_all)
   {
     places_stale = rates_stale = true;
     known.clear();
-    keep_own(particles, held);
+    keep_own(particles, moved_by_all);
     std::vector<std::size_t> begin;
     for (const std::size_t brick : brick_begin)
       begin.push_back(brick * sizeof(ParticleBlockAccount));

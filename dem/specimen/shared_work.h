@@ -60,12 +60,12 @@ namespace dem
     void share_stress_moments(LinkSet &bonds, LinkSet &contacts);
     /**
      * After particles have moved: their sums; places and motions where they are ghosts, or all read them.
-     * @param by_all ascending @param held whose motion is prescribed by all
+     * @param by_all ascending @param moved_by_all that every rank moves, or of which all prescribe how they move
      */
     void share_motion(Particles                         &particles,
                       std::vector<ParticleBlockAccount> &accounts,
                       const std::vector<std::int32_t>   &by_all,
-                      const std::vector<std::int32_t>   &held);
+                      const std::vector<std::int32_t>   &moved_by_all);
     /** Forces and moments on some particles. @param of ascending */
     void share_forces(Particles &particles, const std::vector<std::int32_t> &of);
     void share_velocities(Particles &particles, const std::vector<std::int32_t> &of);

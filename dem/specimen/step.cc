@@ -77,7 +77,11 @@ namespace dem
     if (!clumps.empty())
       move_clumps(halves);
     if (shared)
-      shared->share_motion(particles, accounts, read_by_surfaces(), held.members());
+      {
+        std::vector<std::int32_t> moved_by_all = held.members();
+        moved_by_all.insert(moved_by_all.end(), clumps.pebbles().begin(), clumps.pebbles().end());
+        shared->share_motion(particles, accounts, read_by_surfaces(), moved_by_all);
+      }
     if (!partner.particles)
       return account(halves);
     if (shared)
