@@ -67,7 +67,8 @@ namespace apps
                                     {"ghosts", rank.ghosts},
                                     {"neighbours", rank.neighbours},
                                     {"messages", rank.messages},
-                                    {"bytes", rank.bytes}});
+                                    {"bytes", rank.bytes},
+                                    {"memory", rank.memory}});
     }
   } // namespace
 
