@@ -15,7 +15,7 @@ namespace apps
     struct NamedValues
     {
       std::string name;
-      double      start, value, half; ///< half of the band of 95 %; NaN: there is none
+      double      start, value, lower, upper; ///< of the band of 95 %; NaN: there is none
     };
 
     std::vector<NamedValues> figures_of(const CalibrationFile &file,
@@ -32,8 +32,8 @@ namespace apps
           const double       measured = runs.measured()[at];
           const double       unit     = in_deviations ? runs.scale()[at] : std::fabs(measured) / 100;
           const double       start    = found.at_start.size() > 0 ? (found.at_start[at] - measured) / unit : NAN;
-          all.push_back(
-            {file.targets[k].name, start, (found.predicted[at] - measured) / unit, found.half_widths[at] / unit});
+          const double       value = (found.predicted[at] - measured) / unit, half = found.half_widths[at] / unit;
+          all.push_back({file.targets[k].name, start, value, value - half, value + half});
         }
       return all;
     }
@@ -44,10 +44,11 @@ namespace apps
       std::vector<NamedValues> all;
       for (std::size_t k = 0; k < file.constants.size(); ++k)
         {
-          const SoughtConstant &own  = file.constants[k];
-          const double          unit = (own.upper - own.lower) / 100;
-          all.push_back({own.name, (own.start - own.lower) / unit, (found.constants[k] - own.lower) / unit,
-                         found.determined[k] ? (found.upper[k] - found.lower[k]) / 2 / unit : NAN});
+          const SoughtConstant &own = file.constants[k];
+          const auto way = [&own](const double value) { return 100 * (value - own.lower) / (own.upper - own.lower); };
+          const bool has_band = found.determined[k];
+          all.push_back({own.name, way(own.start), way(found.constants[k]), has_band ? way(found.lower[k]) : NAN,
+                         has_band ? way(found.upper[k]) : NAN});
         }
       return all;
     }
@@ -56,7 +57,8 @@ namespace apps
     {
       std::string text;
       for (std::size_t row = 0; row < rows.size(); ++row, text += '\n')
-        for (const double value : {-static_cast<double>(row), rows[row].start, rows[row].value, rows[row].half})
+        for (const double value :
+             {-static_cast<double>(row), rows[row].start, rows[row].value, rows[row].lower, rows[row].upper})
           {
             postprocess::numeric_text::append(text, value);
             text += ' ';
@@ -77,7 +79,7 @@ namespace apps
              " noenhanced\nset ytics (" + names + ") noenhanced\nset yrange [" +
              std::to_string(-static_cast<long>(rows.size())) + ":1]\nplot " + from +
              " using 2:1 with points pt 6 ps 1.6 lw 1.5 lc rgb '#999999' title 'start', " + from +
-             " using 3:1:4 with xerrorbars pt 0 lw 2 lc rgb '#56b4e9' title 'band of 95 %', " + from +
+             " using 3:1:4:5 with xerrorbars pt 0 lw 2 lc rgb '#56b4e9' title 'band of 95 %', " + from +
              " using 3:1 with points pt 7 ps 1.4 lc rgb '#0072b2' title 'found'\n";
     }
   } // namespace
@@ -93,10 +95,11 @@ namespace apps
     job.data["figures"]   = table_of(figures);
     job.data["constants"] = table_of(constants_of(file, found));
     job.width             = 1240;
-    job.height            = 420;
-    job.script            = "set multiplot layout 1,2\nset grid xtics ytics lc rgb '#d8d8d8' lt 1 lw 1\nset key below\n"
-                            "set datafile missing 'nan'\n"
-                            "set arrow 1 from 0, graph 0 to 0, graph 1 nohead lw 1.5 lc rgb 'black'\n";
+    job.height            = 460;
+    job.script =
+      "set multiplot layout 1,2\nset grid xtics ytics lc rgb '#d8d8d8' lt 1 lw 1\nset key below\nset bmargin 6\n"
+      "set datafile missing 'nan'\n"
+      "set arrow 1 from 0, graph 0 to 0, graph 1 nohead lw 1.5 lc rgb 'black'\n";
     job.script +=
       panel("Figures", in_deviations ? "off what was measured [standard deviations]" : "off what was measured [%]",
             figures, "figures");
