@@ -104,8 +104,8 @@ namespace dem
       if (!undamaged_factor.factorize(*around, around->whole(matrix)))
         return;
       const Eigen::MatrixXd loads = -load_columns(stiffness, moving);
-      // A dense system as costly as that factor: two thirds of its cube of operations, at a fourth of the speed.
-      const double largest = std::cbrt(0.375 * undamaged_factor.operations());
+      // Beyond, the dense system takes longer than a new factor: as many operations as its cube, and slower ones.
+      const double largest = std::cbrt(0.05 * undamaged_factor.operations());
       changed.emplace(
         loaded, unknown, count, scale, stiffness,
         [this](const Eigen::MatrixXd &right) { return solve(undamaged_factor, right); },
