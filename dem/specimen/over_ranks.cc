@@ -31,6 +31,8 @@ namespace dem
   {
     if (!shares())
       return part(all_lines(links));
+    if (!links.in_parts) // sorted anew in this step: all have the links, and particles may have moved since
+      gather_places();
     const auto use = [&](const std::size_t begin, const std::size_t end) { part({begin, end}); };
     if (&links == &bonds)
       shared->relay_bonds(bonds, use, numbers, count);
@@ -42,6 +44,8 @@ namespace dem
                                         ExactSum                                     &sum,
                                         const std::function<void(const LinkRange &)> &part)
   {
+    if (shares() && !links.in_parts)
+      gather_places();
     if (!shares() || !links.in_parts)
       return part(all_lines(links));
     for (const LinkPart &each : links.parts)

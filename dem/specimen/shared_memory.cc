@@ -218,7 +218,7 @@ namespace dem
   {
     if (links.count == 0)
       return;
-    if (!links.in_parts || !share.stale)
+    if (!links.in_parts)
       return use(0, links.count); // all have all of it
     for (const std::vector<std::size_t> &blocks : share.block_begin)
       {
