@@ -67,8 +67,7 @@ namespace apps
                                     {"ghosts", rank.ghosts},
                                     {"neighbours", rank.neighbours},
                                     {"messages", rank.messages},
-                                    {"bytes", rank.bytes},
-                                    {"memory", rank.memory}});
+                                    {"bytes", rank.bytes}});
     }
   } // namespace
 

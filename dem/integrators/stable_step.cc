@@ -1,7 +1,6 @@
 #include "dem/integrators/stable_step.h"
 
 #include "dem/measures/link_measures.h"
-#include "dem/model/held_lines.h"
 
 #include <algorithm>
 #include <cmath>
@@ -68,26 +67,26 @@ namespace dem
     }
   } // namespace
 
-  double stable_step(const Particles                                          &particles,
-                     const std::vector<LawfulLinks>                           &all,
-                     const bool                                                rotations,
-                     const std::vector<double>                                &of_surfaces,
-                     const double                                              ahead,
-                     const std::optional<std::pair<std::size_t, std::size_t>> &among)
+  double stable_step(const Particles                &particles,
+                     const std::vector<LawfulLinks> &all,
+                     const bool                      rotations,
+                     const std::vector<double>      &of_surfaces,
+                     const double                    ahead)
   {
-    const auto [first, last] = among.value_or(std::pair<std::size_t, std::size_t>(0, particles.count));
-    std::vector<double> sum  = of_surfaces;
+    std::vector<double> sum = of_surfaces;
     sum.resize(particles.count, 0.0);
     for (const LawfulLinks &of : all)
       {
         StiffnessSeen seen(particles, of, rotations, ahead);
-        each_held(of.links, [&](const std::size_t l) {
-          sum[of.links.first[l]] += seen(l, true);
-          sum[of.links.second[l]] += seen(l, false);
-        });
+        for (std::size_t l = 0; l < of.links.count; ++l)
+          if (of.links.is_alive(l))
+            {
+              sum[of.links.first[l]] += seen(l, true);
+              sum[of.links.second[l]] += seen(l, false);
+            }
       }
     double smallest = std::numeric_limits<double>::infinity();
-    for (std::size_t i = first; i < last; ++i)
+    for (std::size_t i = 0; i < particles.count; ++i)
       if (sum[i] > 0 && particles.mass[i] > 0) // without mass: a partner moves it
         smallest = std::min(smallest, 2.0 * particles.mass[i] / sum[i]);
     return std::sqrt(smallest);

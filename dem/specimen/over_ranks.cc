@@ -11,59 +11,10 @@ namespace dem
   {
     if (!shared)
       return;
-    gather_particles();
-    shared->gather_bonds(bonds);
-    shared->gather_contacts(contacts);
-  }
-
-  void SpecimenCore::gather_particles()
-  {
-    if (!shared)
-      return;
     shared->gather_particles(particles);
     gather_glide();
-  }
-
-  void SpecimenCore::walk(const LinkSet                                &links,
-                          double                                       *numbers,
-                          const std::size_t                             count,
-                          const std::function<void(const LinkRange &)> &part)
-  {
-    if (!shares())
-      return part(all_lines(links));
-    const auto use = [&](const std::size_t begin, const std::size_t end) { part({begin, end}); };
-    if (&links == &bonds)
-      shared->relay_bonds(bonds, use, numbers, count);
-    else
-      shared->relay_contacts(contacts, use, numbers, count);
-  }
-
-  void SpecimenCore::walk_without_order(const LinkSet                                &links,
-                                        ExactSum                                     &sum,
-                                        const std::function<void(const LinkRange &)> &part)
-  {
-    if (!shares() || !links.in_parts)
-      return part(all_lines(links));
-    for (const LinkPart &each : links.parts)
-      if (each.own)
-        part({each.begin, each.end});
-    shared->add_up(sum);
-  }
-
-  void SpecimenCore::walk_particles(double                                              *numbers,
-                                    const std::size_t                                    count,
-                                    const std::function<void(std::size_t, std::size_t)> &part)
-  {
-    if (shares())
-      shared->relay_particles(part, numbers, count);
-    else
-      part(0, particles.count);
-  }
-
-  void SpecimenCore::gather_accounts()
-  {
-    if (shares())
-      shared->gather_accounts(bonds, contacts);
+    shared->gather_bonds(bonds);
+    shared->gather_contacts(contacts);
   }
 
   void SpecimenCore::gather_places()

@@ -1,7 +1,6 @@
 // What of a specimen is whose (doc/theory/ranks.md, 3).
 
 #include "dem/core/simd.h"
-#include "dem/model/column_memory.h"
 #include "dem/ranks/exchange_cost.h"
 #include "dem/ranks/shares.h"
 #include "dem/specimen/rank_shares.h"
@@ -87,8 +86,7 @@ namespace dem
       }
     append_copies(links, share);
     links.in_parts = true;
-    share.stale = share.lean = false;
-    share.borrowed.clear();
+    share.stale    = false;
   }
 
   void SharedWork::append_copies(LinkSet &links, const SetShare &share) const
@@ -149,8 +147,6 @@ namespace dem
       {
         choose_ranges(particles, bonds, contacts);
         share_out(bonds, of_bonds);
-        lean       = false;
-        since_read = 0;
       }
     share_out(contacts, of_contacts);
     find_ghosts(particles, bonds, contacts);
@@ -162,8 +158,7 @@ namespace dem
     bonds.in_parts = contacts.in_parts = false;
   }
 
-  std::vector<RankWork>
-  SharedWork::work(const Particles &particles, const LinkSet &bonds, const LinkSet &contacts) const
+  std::vector<RankWork> SharedWork::work(const LinkSet &bonds, const LinkSet &contacts) const
   {
     RankWork own;
     own.particles = last() - first();
@@ -177,7 +172,6 @@ namespace dem
       }
     own.messages = messages;
     own.bytes    = bytes;
-    own.memory   = static_cast<std::int64_t>(resident_bytes(particles, {&bonds, &contacts}));
     std::vector<RankWork>    all(size());
     std::vector<std::size_t> begin;
     for (std::size_t r = 0; r <= size(); ++r)

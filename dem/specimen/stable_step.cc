@@ -8,17 +8,11 @@
 
 namespace dem
 {
-  double SpecimenCore::stable()
+  double SpecimenCore::stable() const
   {
-    if (clumps.empty())
-      gather_places();
-    else
-      gather(); // a clump's depends on what touches any of its pebbles
-    double smallest = dem::stable_step(particles, all_links(), parameters.physics.rotations,
-                                       surfaces.stiffness_seen(particles, shape, parameters.physics.rotations),
-                                       stiffening.ahead(), own_particles());
-    if (shares())
-      smallest = shared->least(smallest);
+    double smallest =
+      dem::stable_step(particles, all_links(), parameters.physics.rotations,
+                       surfaces.stiffness_seen(particles, shape, parameters.physics.rotations), stiffening.ahead());
     for (std::size_t clump = 0; clump < clumps.size(); ++clump)
       smallest = std::min(smallest, stable_of_clump(clump));
     return smallest;
@@ -81,6 +75,7 @@ namespace dem
   {
     if (!stiffening.moved(largest_displacement()))
       return;
+    gather();
     longest_step = std::min(longest_step, parameters.step_factor * stable());
     time_step    = std::min(time_step, longest_step);
   }

@@ -44,7 +44,7 @@ namespace dem
       contact_pass(contacts, particles, *contact_law, contacts.whole());
     if (shared)
       {
-        shared->links_updated(bonds, contacts);
+        shared->links_updated();
         if (parameters.physics.periodic)
           shared->share_stress_moments(bonds, contacts);
         shared->share_events(particles, bonds, contacts);
@@ -77,11 +77,7 @@ namespace dem
     if (!clumps.empty())
       move_clumps(halves);
     if (shared)
-      {
-        std::vector<std::int32_t> moved_by_all = held.members();
-        moved_by_all.insert(moved_by_all.end(), clumps.pebbles().begin(), clumps.pebbles().end());
-        shared->share_motion(particles, accounts, read_by_surfaces(), moved_by_all);
-      }
+      shared->share_motion(particles, accounts, read_by_surfaces());
     if (!partner.particles)
       return account(halves);
     if (shared)
@@ -105,9 +101,8 @@ namespace dem
         refuse_too_fast(largest, 0);
         const OverlapWatch::Frame now{parameters.physics.largest_overlap, smallest_radius, step_count, time};
         if (overlaps.looks_after(largest, now))
-          overlaps.measured(deepest_overlap(), now, particles);
-        else
-          overlaps.moved(largest);
+          gather_places();
+        overlaps.moved(largest, now, particles, bonds, contacts);
         if (contact_law->stiffens())
           watch_stiffening();
         make_contacts();
