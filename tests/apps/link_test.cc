@@ -110,7 +110,8 @@ TEST_CASE("link-test refuses a bad path or constant with its place", "[apps][S14
   const Outcome missing =
     run(folder.path(), {"link-test", "--law", "CPM", "--path", "path.csv", "-s", "Normal modulus=1e9"});
   CHECK(missing.status == 2);
-  CHECK_THAT(missing.err, Contains("\"Shear ratio\" [-] is not set and has no default"));
+  CHECK_THAT(missing.err,
+             Contains("5 entries are not set and have no default:\n") && Contains("\n  \"Shear ratio\" [-]: G/E"));
   const Outcome unknown =
     run(folder.path(), {"link-test", "--law", "CPM", "--path", "path.csv", "-s", "Normal modulos=1e9"});
   CHECK_THAT(unknown.err, Contains("\"Normal modulos\" is not known. Did you mean \"Normal modulus\"?"));

@@ -298,7 +298,7 @@ TEST_CASE("What a scene of particles cannot mean is refused with the place and t
   refused({"Physics/Rotations=false", "Motion/first/Spin x=1"}, "particles do not spin");
   refused({"Physics/Dimension=2", "Specimen/Thickness=0.01", "Motion/first/Velocity z=1"}, "in two dimensions");
   refused({"Groups/first/Members=layer", "Groups/first/Thickness=1"}, "there is a group of this name already");
-  refused({"Material/Law=CPM", "Material/CPM/Normal modulus=1e9"}, "is not set and has no default");
+  refused({"Material/Law=CPM", "Material/CPM/Normal modulus=1e9"}, "\n  \"Material/CPM/Shear ratio\" [-]: ");
   refused({"Material/Law=parallel-bond", "Material/parallel-bond/Effective modulus=1e9",
            "Material/parallel-bond/Tensile strength=1e6", "Material/parallel-bond/Cohesion=1e6"},
           "the law links particles from the start: say up to which distance");

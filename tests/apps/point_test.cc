@@ -240,8 +240,8 @@ TEST_CASE("point-test refuses a bad path, constant or material with its place", 
   refused("strain_x\n1e-4\n", m1, "column \"strain_x\" is not known. Did you mean \"strain_xx\"?");
   refused("strain_xx,stress_xx\n1e-4,0\n", m1, "strain and stress of the same component cannot both be given");
   refused(fine, with(m1, "Tensile strengh=1"), "\"Tensile strengh\" is not known. Did you mean \"Tensile strength\"?");
-  refused(fine, {"Young modulus=30e9"}, "\"Poisson ratio\" [-] is not set and has no default");
-  refused(fine, {"Young modulus=30e9"}, "\"Tensile strength\" [Pa] is not set and has no default"); // all at once
+  refused(fine, {"Young modulus=30e9"}, "entries are not set and have no default:\n  \"Poisson ratio\" [-]: ");
+  refused(fine, {"Young modulus=30e9"}, "\n  \"Tensile strength\" [Pa]: "); // all at once
   refused(fine, with(m1, "Tensile strength=40e6"),
           "Tensile strength = 40000000: must be below the compressive strength");
   refused(fine, with(m1, "Element size=0"), "element");
