@@ -70,7 +70,7 @@ TEST_CASE("envelope refuses constants by name and writes nothing", "[apps][S14]"
   const ScratchFolder folder;
   const Outcome       missing = run(folder.path(), {"envelope", "-s", "Young modulus=30e9", "-o", "results"});
   CHECK(missing.status == 2);
-  CHECK_THAT(missing.err, Contains("\"Poisson ratio\" [-] is not set"));
+  CHECK_THAT(missing.err, Contains("\n  \"Poisson ratio\" [-]: nu"));
   const Outcome wrong = run(folder.path(), command({"-o", "results", "-s", "Poisson ratio=0.6"}));
   CHECK(wrong.status == 2);
   CHECK_FALSE(std::filesystem::exists(folder / "results"));
