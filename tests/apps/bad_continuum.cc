@@ -12,7 +12,7 @@ using Catch::Contains;
 
 namespace
 {
-  /** Scene and mesh of two squares, one of them changed, are refused by this message in one line; nothing is written. */
+  /** Scene and mesh of two squares, one of them changed, are refused by this message, in one line or with a list of entries below it; nothing is written. */
   void refused_with(const std::string &scene, const std::string &mesh, const std::string &message)
   {
     const ScratchFolder folder;
@@ -23,7 +23,6 @@ namespace
     INFO(outcome.err);
     CHECK(outcome.status == 2);
     CHECK_THAT(outcome.err, Contains(message));
-    // One message of one line, or a list below it.
     std::istringstream lines(outcome.err);
     std::string        line;
     for (int k = 0; std::getline(lines, line); ++k)
