@@ -56,6 +56,7 @@ namespace apps
       still.grips              = model.loading.grips;
       still.lateral_blocked    = model.loading.lateral_blocked;
       still.spin_blocked       = model.loading.spin_blocked;
+      still.grips_turn         = model.loading.grips_turn;
       still.tension            = {strain_step, stop_fraction, stop_strain};
       const double       start = base::processor_seconds();
       QuasiStaticLabTest test(still, packing, 0);

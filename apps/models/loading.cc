@@ -23,6 +23,8 @@ namespace apps
     if (dimension == 2 && axis == 2)
       section.refuse("Axis", "in two dimensions the specimen lies in the plane z = 0. Load it along x or y.");
     grips.check(section);
+    if (grips_turn && !lateral_blocked)
+      section.refuse("Grips turn", "the specimen would fall over: set Grip lateral motion blocked = true.");
   }
 
   bool UniaxialLoadingSection::asks_for(const UniaxialLoad load) const
@@ -39,6 +41,7 @@ namespace apps
     result.grips           = grips.parameters();
     result.lateral_blocked = lateral_blocked;
     result.spin_blocked    = spin_blocked;
+    result.turning         = grips_turn;
     result.stop_fraction   = test.stop_fraction;
     result.stop_strain     = test.stop_strain;
     return result;

@@ -30,7 +30,7 @@ namespace apps
     std::vector<UniaxialLoad> tests = {UniaxialLoad::tension, UniaxialLoad::compression};
     int                       axis  = 2;
     GripEntries               grips;
-    bool                      lateral_blocked = false, spin_blocked = false;
+    bool                      lateral_blocked = false, spin_blocked = false, grips_turn = false;
     Test                      tension, compression;
 
     UniaxialLoadingSection();

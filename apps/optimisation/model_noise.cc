@@ -188,6 +188,17 @@ namespace optimisation
       return so_far;
     }
 
+    /**
+     * How much larger squares of an answer may be by noise alone than those of a search that took the smallest it met.
+     * @param residuals of the search @param noise draws, a column each
+     */
+    double by_chance(const Eigen::VectorXd &residuals, const Eigen::MatrixXd &noise)
+    {
+      constexpr double deviations = 3;
+      const double     variance = 2 * (noise.transpose() * residuals).squaredNorm() / static_cast<double>(noise.cols());
+      return 2 * deviations * std::sqrt(variance) + 2 * noise.colwise().squaredNorm().mean();
+    }
+
     /** Of one more round of central differences and a line, and of the answer; the place itself is counted, but not run. */
     int evaluations_of_round(const LeastSquaresProblem &problem, const Eigen::VectorXd &place)
     {
@@ -203,6 +214,7 @@ namespace optimisation
                    ModelAtEnd                &found)
     {
       constexpr int   most_repeats = 4;
+      ModelAtEnd      of_search; // its derivatives
       Eigen::VectorXd place = found.place, residuals = first.smooth_without_middle();
       append(first.noise(), found);
       for (int round = 0; round < most_repeats; ++round)
@@ -217,6 +229,8 @@ namespace optimisation
             return;
           found.jacobian  = *jacobian;
           found.of_column = found.noise.colwise().squaredNorm().mean() / 2; // of a difference over two steps
+          if (round == 0)
+            of_search = found;
           append_all(noise_by_variable(wide, evaluated, place, root_mean_square(first.noise())), found);
           if (round == 0 && options.goes_on && !options.goes_on(as_smoothed(found, evaluated.evaluations() - 1)))
             return;
@@ -234,14 +248,17 @@ namespace optimisation
         }
       const Eigen::VectorXd last   = stepped(wide, place, found.jacobian, residuals);
       const auto            answer = evaluated.at(last);
-      // Noise alone has made the squares of the search smaller by as much; a worse answer is that of derivatives that do not hold.
-      const double by_chance = found.residuals.squaredNorm() / 2 + 4 * found.noise.colwise().squaredNorm().mean();
-      if (answer && answer->squaredNorm() <= found.residuals.squaredNorm() + by_chance)
+      // A worse answer is that of derivatives that do not hold.
+      if (answer && answer->squaredNorm() <= found.residuals.squaredNorm() + by_chance(found.residuals, found.noise))
         {
           found.place     = last;
           found.residuals = *answer;
           found.share     = Line::share;
+          return;
         }
+      found.jacobian  = of_search.jacobian;
+      found.of_column = of_search.of_column;
+      found.cut_short = false; // the search's answer, with derivatives of its own
     }
   } // namespace
 

@@ -162,7 +162,10 @@ namespace apps
       std::optional<statistics::Uncertainty> sure;
     };
 
-    /** Until all that is still sought is determined. @param screened whether what is not seen at the start is held until an answer shows it */
+    /**
+     * Until all that is still sought is determined.
+     * @param screened whether what is not seen at the start is held until an answer shows it, for which sets must be left
+     */
     Searches search(const CalibrationFile            &file,
                     SoughtConstants                  &problem,
                     optimisation::LeastSquaresOptions options,
@@ -185,6 +188,11 @@ namespace apps
           all.fit                  = problem.fit(options);
           found.evaluations += all.fit.evaluations;
           found.failed += all.fit.failed;
+          if (!for_later.empty() && left() < static_cast<int>(file.constants.size()) + 2) // derivatives and a step
+            {
+              all.undetermined = for_later; // by the derivatives at the start
+              for_later.clear();
+            }
           if (!for_later.empty())
             {
               problem.seek_again(for_later);
@@ -251,8 +259,10 @@ namespace apps
       if (found.noisy)
         found.warnings.push_back(fmt::format(
           "Runs scatter between neighbouring constants by {:.2g} of what they are off the targets by chance: "
-          "bars and bands contain that, and the answer is where many runs together have it.",
-          found.noise));
+          "bars and bands contain that, and the answer is where {}.",
+          found.noise,
+          found.smoothed ? "many runs together have it" :
+                           "the search ended: derivatives over wide steps lead to a worse one"));
       if (found.cut_short)
         found.warnings.push_back(
           "As many sets of constants were run as Search/Most evaluations says, and the answer is farther from where "
@@ -324,6 +334,7 @@ namespace apps
     found.relative_sum = end.residuals.squaredNorm() / targets;
     found.noise        = end.largest_noise;
     found.noisy        = end.noise.cols() > 0;
+    found.smoothed     = end.share < 1;
     found.cut_short    = end.cut_short;
     found.ending       = fit.ending;
     put_uncertainty(file, problem, sure, end, found);

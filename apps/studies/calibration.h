@@ -38,6 +38,7 @@ namespace apps
     int               evaluations = 0, failed = 0;
     double            noise     = 0;     ///< of runs between neighbouring constants, over the deviation of a residual
     bool              noisy     = false; ///< so much that bars, bands and the answer take account of it
+    bool              smoothed  = false; ///< the answer is not one run's, but of many together
     bool              cut_short = false; ///< its last step took more sets of constants than were left
     std::string       ending;
     int               cheap_evaluations = 0; ///< of the cheap model, before

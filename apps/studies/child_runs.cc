@@ -20,23 +20,13 @@
 #include <stdexcept>
 #include <system_error>
 #include <thread>
+#include <utility>
 
 namespace apps
 {
   namespace
   {
     constexpr auto between_looks = std::chrono::milliseconds(5);
-
-    /** What the system could still give [bytes]; the most there can be where it does not say. */
-    std::uint64_t available_memory()
-    {
-      std::ifstream file("/proc/meminfo");
-      std::string   name, unit;
-      for (std::uint64_t kilobytes; file >> name >> kilobytes && std::getline(file, unit);)
-        if (name == "MemAvailable:")
-          return kilobytes << 10;
-      return UINT64_MAX;
-    }
 
     int status_of(const int waited)
     {
@@ -77,6 +67,16 @@ namespace apps
     }
   } // namespace
 
+  std::uint64_t available_memory()
+  {
+    std::ifstream file("/proc/meminfo");
+    std::string   name, unit;
+    for (std::uint64_t kilobytes; file >> name >> kilobytes && std::getline(file, unit);)
+      if (name == "MemAvailable:")
+        return kilobytes << 10;
+    return UINT64_MAX;
+  }
+
   std::string last_words(const std::filesystem::path &log, const int status)
   {
     constexpr std::string_view name = "breccia: ";
@@ -100,8 +100,9 @@ namespace apps
     return std::max(1u, std::thread::hardware_concurrency());
   }
 
-  ChildRuns::ChildRuns(const int most_)
+  ChildRuns::ChildRuns(const int most_, std::function<std::uint64_t()> available_)
     : most(std::max(most_, 1))
+    , available(std::move(available_))
   {
   }
 
@@ -117,7 +118,7 @@ namespace apps
   {
     if (running.empty())
       return true;
-    return static_cast<int>(running.size()) < most && largest_memory < available_memory();
+    return static_cast<int>(running.size()) < most && largest_memory < available();
   }
 
   void ChildRuns::start(const long job, const std::vector<std::string> &words, const std::filesystem::path &log)

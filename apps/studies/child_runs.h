@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -20,6 +21,9 @@ namespace apps
     double seconds;
   };
 
+  /** What the system could still give [bytes]; the most there can be where it does not say. */
+  std::uint64_t available_memory();
+
   /**
    * Processes of this program that run scenes, several at a time. They are killed with the process that started them, however it ends
    * (Linux).
@@ -27,8 +31,8 @@ namespace apps
   class ChildRuns
   {
   public:
-    /** @param most at a time */
-    explicit ChildRuns(int most);
+    /** @param most at a time @param available says how much memory could still be taken [bytes] */
+    explicit ChildRuns(int most, std::function<std::uint64_t()> available = available_memory);
     ~ChildRuns(); ///< kills those that still run
     ChildRuns(const ChildRuns &)            = delete;
     ChildRuns &operator=(const ChildRuns &) = delete;
@@ -54,9 +58,10 @@ namespace apps
       Clock::time_point start;
     };
 
-    int                    most;
-    std::map<pid_t, Child> running;
-    std::uint64_t          largest_memory = 0; ///< [bytes]
+    int                            most;
+    std::function<std::uint64_t()> available;
+    std::map<pid_t, Child>         running;
+    std::uint64_t                  largest_memory = 0; ///< [bytes]
   };
 
   /** What the program said when it gave up: the last line of its log that begins with its name, or how it ended. */

@@ -132,6 +132,8 @@ namespace dem
         if (physics.rotations)
           for (std::size_t c = physics.dimension == 2 ? 5 : 3; c < 6; ++c)
             grip.prescribed[c] = true;
+        if (parameters.turns)
+          grip.turning_face = a;
         number[side] = specimen->grips().add(grip);
       }
     start_height = place[high] - place[low];

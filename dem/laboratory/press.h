@@ -26,10 +26,11 @@ namespace dem
     LinkMaterials contact   = LinearContactParameters(); ///< of platens and rollers with particles
     double        smoothing = 0;                ///< depth at which the specimen's ends are cut off under platens [m]
     std::optional<std::array<double, 2>> stand; ///< where platens stand along the axis, low and high: cut off there [m]
-    double                               layer  = 0; ///< thickness of what is glued, from the outermost centre [m]
-    int                                  along  = 0; ///< axis of the beam
-    double                               span   = 0; ///< between the rollers below [m]
-    double                               roller = 0; ///< radius [m]
+    double                               layer  = 0;     ///< thickness of what is glued, from the outermost centre [m]
+    bool                                 turns  = false; ///< each glued platen turns about its middle
+    int                                  along  = 0;     ///< axis of the beam
+    double                               span   = 0;     ///< between the rollers below [m]
+    double                               roller = 0;     ///< radius [m]
     bool both = true; ///< both sides move, each at half the speed; otherwise the high one alone
   };
 

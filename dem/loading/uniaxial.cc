@@ -20,6 +20,8 @@ namespace dem
         refuse("Axis: must be one of the specimen's directions.");
       if (p.strain_rate == 0 || !std::isfinite(p.strain_rate))
         refuse("strain rate: must not be zero.");
+      if (p.turning && !p.lateral_blocked)
+        refuse("Grips turn: the specimen would fall over where grips do not hold their particles sideways.");
       if (!(p.grips.thickness > 0))
         refuse("Grip thickness: must be above 0 m.");
       if (!(p.grips.area >= 0 && std::isfinite(p.grips.area)))
@@ -65,6 +67,8 @@ namespace dem
       {
         Grip grip;
         grip.particles = side == 0 ? layers.low : layers.high;
+        if (p.turning)
+          grip.turning_face = p.axis;
         for (int c = 0; c < 3; ++c)
           {
             grip.prescribed[c]     = c == p.axis || p.lateral_blocked;

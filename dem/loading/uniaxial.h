@@ -17,6 +17,7 @@ namespace dem
     GripParameters grips;
     bool           lateral_blocked = false; ///< grips hold their particles sideways
     bool           spin_blocked    = false; ///< grips hold their particles' rotation
+    bool           turning         = false; ///< each grip turns about its middle; only if lateral_blocked
     /** Stop when stress has fallen to this part of the peak, in (0, 1); 0: however far it falls. */
     double stop_fraction = 0;
     double stop_strain   = 0; ///< stop when the grips have moved by this part of their distance, > 0

@@ -1,8 +1,8 @@
 #include "dem/network/turning_grips.h"
 
 #include "base/errors.h"
+#include "dem/grips/grip_face.h"
 
-#include <Eigen/Geometry>
 #include <Eigen/LU>
 
 #include <algorithm>
@@ -14,7 +14,6 @@ namespace dem
   namespace
   {
     using Eigen::Vector2d;
-    using Eigen::Vector3d;
 
     /**
      * Particles of one grip, by their arms from its middle along the two axes across the load. The motion along the axis of one of them
@@ -26,21 +25,13 @@ namespace dem
       TurningGrip(const LoadedNetwork &network, const GripPair &grips, const std::vector<std::size_t> &particles)
         : loaded(network)
         , axis(grips.axis)
-        , across{(grips.axis + 1) % 3, (grips.axis + 2) % 3}
         , members(particles)
       {
-        const bool plane  = loaded.network.dimension == 2;
-        Vector3d   middle = Vector3d::Zero();
+        std::vector<Eigen::Vector3d> places;
         for (const std::size_t i : members)
-          middle += loaded.network.centre[i] / static_cast<double>(members.size());
-        for (const std::size_t i : members)
-          {
-            const Vector3d from = loaded.network.centre[i] - middle;
-            arm.emplace_back(from[across[0]], from[across[1]]);
-            if (plane)
-              arm.back()[across[0] == 2 ? 0 : 1] = 0;
-          }
-        choose_leaders(plane);
+          places.push_back(loaded.network.centre[i]);
+        arm = arms_in_face(places, axis, loaded.network.dimension);
+        choose_leaders();
       }
 
       /** Ties of all motions along the axis. @param blocked spins turn with the grip */
@@ -52,14 +43,14 @@ namespace dem
               ties.push_back(follow(members[k], axis, 1, arm[k]));
             // A turn w moves what is at r by w x r: along the axis by w_b r_c - w_c r_b, of which the gradient across is (-w_c, w_b).
             for (int c = 0; blocked && c < 2; ++c)
-              if (const int spin = 3 + across[c]; loaded.network.moves(spin))
+              if (const int spin = 3 + across(axis, c); loaded.network.moves(spin))
                 ties.push_back(follow(members[k], spin, c == 0 ? 1 : -1, c == 0 ? Vector2d(0, 1) : Vector2d(1, 0)));
           }
       }
 
     private:
       /** The farthest; and of the others that whose arm spans the largest area with it. */
-      void choose_leaders(const bool plane)
+      void choose_leaders()
       {
         std::size_t first = 0, second = 0;
         for (std::size_t k = 0; k < arm.size(); ++k)
@@ -69,12 +60,8 @@ namespace dem
         };
         for (std::size_t k = 0; k < arm.size(); ++k)
           second = spanned(k) > spanned(second) ? k : second;
-        constexpr double rounding = 1e-6;
-        const double     size     = arm.empty() ? 0.0 : arm[first].norm();
-        if (!(size > 0) || (!plane && !(spanned(second) > rounding * size * size)))
-          throw base::InputError("grips that turn: the particles of one of them lie on a line, and have no face that "
-                                 "could. Widen Grip thickness, or keep the grips parallel.");
-        leaders = plane ? std::vector<std::size_t>{first} : std::vector<std::size_t>{first, second};
+        const bool plane = loaded.network.dimension == 2;
+        leaders          = plane ? std::vector<std::size_t>{first} : std::vector<std::size_t>{first, second};
       }
 
       /** The condition that a motion is the gradient of the plane's motion along the axis, times `by`. */
@@ -96,7 +83,7 @@ namespace dem
       }
 
       const LoadedNetwork            &loaded;
-      int                             axis, across[2];
+      int                             axis;
       const std::vector<std::size_t> &members;
       std::vector<Vector2d>           arm; ///< of each member [m]
       std::vector<std::size_t>        leaders;

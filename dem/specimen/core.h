@@ -187,6 +187,8 @@ namespace dem
                         const double          *now,
                         std::array<double, 2> &work);
     void move_clumps(const StepHalves &halves);
+    /** Let the faces of grips that turn follow the forces at t_n; their particles have moved on as before. */
+    void turn_grips(const StepHalves &halves);
     void end_step();
     /** The particles let surfaces take several steps in one of theirs: see Specimen::glide(). */
     void   begin_glide();

@@ -76,6 +76,19 @@ namespace dem
     return work;
   }
 
+  void SpecimenCore::turn_grips(const StepHalves &halves)
+  {
+    if (shared)
+      shared->share_states(particles, held.turning_members());
+    std::array<double, 2> none{}; // work of what moves freely; grips enter theirs themselves
+    for (const auto &[i, now] : held.push_faces(particles, halves.before + halves.after))
+      {
+        std::array<double, axes> before{};
+        std::copy_n(&particles.velocity[record_size * i], axes, before.begin());
+        take_corrected(i, halves, before.data(), now.data(), none);
+      }
+  }
+
   void SpecimenCore::take_corrected(
     const std::size_t i, const StepHalves &halves, const double *before, const double *now, std::array<double, 2> &work)
   {

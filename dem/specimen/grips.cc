@@ -28,7 +28,7 @@ namespace dem
       if (core->particles.clump_of(static_cast<std::size_t>(core->slot.at(particle))) >= 0)
         throw base::InputError("Grips: particle " + std::to_string(particle + 1) +
                                " is a pebble of a clump, which moves as a whole. Hold others.");
-    const std::size_t added = core->held.add(grip, core->slot, core->particles);
+    const std::size_t added = core->held.add(grip, core->slot, core->particles, core->shape.dimension);
     set_velocity(added, grip.velocity, grip.spin);
     return added;
   }

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <iterator>
 #include <string>
+#include <utility>
 
 namespace dem
 {
@@ -29,7 +30,18 @@ namespace dem
     return sum;
   }
 
-  std::size_t HeldParticles::add(const Grip &grip, const std::vector<std::int32_t> &slot, Particles &particles)
+  namespace
+  {
+    std::vector<std::int32_t> united(const std::vector<std::int32_t> &first, const std::vector<std::int32_t> &second)
+    {
+      std::vector<std::int32_t> all;
+      std::set_union(first.begin(), first.end(), second.begin(), second.end(), std::back_inserter(all));
+      return all;
+    }
+  } // namespace
+
+  std::size_t
+  HeldParticles::add(const Grip &grip, const std::vector<std::int32_t> &slot, Particles &particles, const int dimension)
   {
     HeldGrip held;
     held.grip = grip;
@@ -47,11 +59,15 @@ namespace dem
       for (int c = 0; c < 6; ++c)
         if (grip.prescribed[c])
           particles.inverse_mass[record_size * static_cast<std::size_t>(i) + c] = 0.0;
-    std::vector<std::int32_t> all;
-    std::set_union(all_members.begin(), all_members.end(), held.members.begin(), held.members.end(),
-                   std::back_inserter(all));
-    all_members = std::move(all);
+    if (grip.turning_face)
+      {
+        held.face.emplace(grip, held.members, particles, dimension);
+        all_turning = united(all_turning, held.members);
+      }
+    all_members = united(all_members, held.members);
     grips.push_back(std::move(held));
+    if (grip.turning_face)
+      leave_to_partner(grips.size() - 1, particles.count); // its own turn corrects it, as a partner does
     return grips.size() - 1;
   }
 
@@ -87,6 +103,17 @@ namespace dem
     held.grip.velocity = velocity;
     held.grip.spin     = spin;
     held.own_rates.clear();
+    if (held.face)
+      {
+        base::Column all;
+        for (std::size_t k = 0; k < held.members.size(); ++k)
+          {
+            const auto turn = held.face->rates(k);
+            for (int c = 0; c < 6; ++c)
+              all.push_back(held.rate(k, c) + turn[c]);
+          }
+        held.own_rates = std::move(all);
+      }
     for (std::size_t k = 0; k < held.members.size(); ++k)
       for (int c = 0; c < 6; ++c)
         set_rate(held, k, c, particles, work);
@@ -100,6 +127,8 @@ namespace dem
   {
     HeldGrip  &held  = grips.at(number);
     const auto count = held.members.size();
+    if (held.face)
+      throw base::InputError("Grip whose face turns: its particles have no rates of their own.");
     if (velocity.size() != count || spin.size() != count)
       throw base::InputError("Grip of " + std::to_string(count) + " particles: velocities of " +
                              std::to_string(velocity.size()) + " and spins of " + std::to_string(spin.size()) +
@@ -127,6 +156,29 @@ namespace dem
     held.own_rates[6 * member + c] = now;
     held.lost_velocity[6 * member + c] += before - now;
     return 0.5 * (c < 3 ? particles.mass[i] : particles.inertia[i]) * (now * now - before * before);
+  }
+
+  std::vector<std::pair<std::size_t, std::array<double, 6>>> HeldParticles::push_faces(const Particles &particles,
+                                                                                       const double     time)
+  {
+    std::vector<std::pair<std::size_t, std::array<double, 6>>> rates;
+    for (HeldGrip &held : grips)
+      {
+        if (!held.face)
+          continue;
+        held.face->push(held.members, particles, time);
+        for (std::size_t k = 0; k < held.members.size(); ++k)
+          {
+            const auto            i    = static_cast<std::size_t>(held.members[k]);
+            std::array<double, 6> now  = {};
+            const auto            turn = held.face->rates(k);
+            for (int c = 0; c < 6; ++c)
+              now[c] = !held.grip.prescribed[c] ? particles.velocity[record_size * i + c] :
+                                                  turn[c] + (c < 3 ? held.grip.velocity[c] : held.grip.spin[c - 3]);
+            rates.emplace_back(i, now);
+          }
+      }
+    return rates;
   }
 
   void HeldParticles::sum_forces(const Particles &particles)
@@ -211,6 +263,8 @@ namespace dem
           }
         visitor.column(name + "/lost_velocity", held.lost_velocity);
         visitor.column(name + "/own_rates", held.own_rates);
+        for (int c = 0; held.face && c < 2; ++c)
+          visitor.scalar(name + "/slope_rate_" + std::to_string(c), held.face->slope_rate[c]);
       }
   }
 } // namespace dem

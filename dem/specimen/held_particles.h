@@ -6,6 +6,7 @@
 #include "dem/model/particles.h"
 #include "dem/specimen/energy_book.h"
 #include "dem/specimen/grip.h"
+#include "dem/specimen/turning_face.h"
 
 #include <Eigen/Core>
 
@@ -27,8 +28,9 @@ namespace dem
     /**
      * Hold a group from now on; its rates come with set_rates().
      * @param slot place of each packing number among the particles @return the grip's number, from 0
+     * @throws base::InputError where it has a face that turns, and its particles lie on a line
      */
-    std::size_t add(const Grip &grip, const std::vector<std::int32_t> &slot, Particles &particles);
+    std::size_t add(const Grip &grip, const std::vector<std::int32_t> &slot, Particles &particles, int dimension);
     /** The members of a grip take corrections of a step from now on. */
     void leave_to_partner(std::size_t grip, std::size_t particles);
 
@@ -46,7 +48,10 @@ namespace dem
                    const Eigen::Vector3d &spin,
                    Particles             &particles,
                    EnergyFlow            *work);
-    /** Rates of each member on its own, in the order of Grip::particles. @throws base::InputError for another number of them */
+    /**
+     * Rates of each member on its own, in the order of Grip::particles.
+     * @throws base::InputError for another number of them, or where the grip's face turns by itself
+     */
     void set_own_rates(std::size_t                         grip,
                        const std::vector<Eigen::Vector3d> &velocity,
                        const std::vector<Eigen::Vector3d> &spin,
@@ -58,6 +63,11 @@ namespace dem
      */
     std::optional<double>
     correct_rate(const Particles &particles, std::size_t particle, std::size_t component, double before, double now);
+
+    /** Members of grips whose faces turn, in the particles' order. */
+    const std::vector<std::int32_t> &turning_members() const { return all_turning; }
+    /** Turn faces faster by the forces on members at t_n, for a time [s]. @return six rates that each turning member has from now on */
+    std::vector<std::pair<std::size_t, std::array<double, 6>>> push_faces(const Particles &particles, double time);
 
     /** Sum up what links and weight do to each grip's members. */
     void sum_forces(const Particles &particles);
@@ -83,6 +93,7 @@ namespace dem
       base::Column own_rates; ///< 6 of each member, where members move each on its own; empty: all alike
       double       own_power = 0; ///< that the grip puts in at these rates and the forces at t_n [W]
       base::Column lost_velocity; ///< of each member, 6 components: what new rates took away since the last step
+      std::optional<TurningFace> face;
 
       double rate(std::size_t member, int component) const;
       double power() const; ///< that the grip puts into the specimen [W]
@@ -91,7 +102,7 @@ namespace dem
     static void set_rate(HeldGrip &held, std::size_t member, int component, Particles &particles, EnergyFlow *work);
 
     std::vector<HeldGrip>     grips;
-    std::vector<std::int32_t> all_members;
+    std::vector<std::int32_t> all_members, all_turning;
     std::vector<std::pair<std::int32_t, std::size_t>>
       left; ///< of each particle the grip and its member that a partner moves; -1: none does; empty: none was left
   };

@@ -78,6 +78,8 @@ namespace dem
       move_clumps(halves);
     if (shared)
       shared->share_motion(particles, accounts, read_by_surfaces());
+    if (!held.turning_members().empty())
+      turn_grips(halves);
     if (!partner.particles)
       return account(halves);
     if (shared)

@@ -52,6 +52,9 @@ TEST_CASE("breccia calibrate recovers known constants within their error bars an
   CHECK_THAT(again.out, Contains(" 0 new runs"));
   CHECK(content_of(folder / "out/calibration.json") == before);
 
+  REQUIRE(calibrate(folder, {"-o", "one_by_one", "--processes", "1"}).status == 0);
+  CHECK(content_of(folder / "one_by_one/calibration.json") == before);
+
   const ScratchFolder elsewhere; // the page has all that it was made from
   elsewhere.file("sent.html", content_of(folder / "out/report.html"));
   std::filesystem::remove(folder / "measured.csv");
@@ -156,6 +159,32 @@ TEST_CASE("a constant whose band fills its bounds is not called determined, and 
   const auto found = nlohmann::json::parse(content_of(folder / "few/calibration.json"));
   CHECK(found["constants"]["modulus"]["determined"] == false);
   CHECK(found["targets"]["E"]["at_start"].get<double>() > 0);
+}
+
+TEST_CASE("a constant that the start does not show is held for good where no sets are left to see it at the answer",
+          "[apps][slow]")
+{
+  const ScratchFolder folder;
+  write_calibration(folder, "");
+  const double       deviation = measure(folder);
+  std::ostringstream target;
+  target << "  subsection pull\n    set Curve = measured.csv\n    set Test = tension\n    set Standard deviation = "
+         << deviation << "\n  end\n";
+  write_calibration(folder, calibration_of_stack(target.str()));
+  for (const int most : {5, 8})
+    {
+      INFO(most);
+      const std::string out     = "out" + std::to_string(most);
+      const Outcome     outcome = calibrate(folder, {"-o", out, "-s", "Search/Updated derivatives=true", "-s",
+                                                     "Search/Most evaluations=" + std::to_string(most)});
+      INFO(outcome.err << outcome.out);
+      REQUIRE(outcome.status == 0);
+      CHECK_THAT(outcome.out, Contains("do not determine unseen: it is held at its start, 15"));
+      const auto found = nlohmann::json::parse(content_of(folder / out / "calibration.json"));
+      CHECK(found["constants"]["unseen"]["value"].get<double>() == 15);
+      constexpr int line = 4, derivatives = 2; // through the end, for its noise; where it is smooth, there
+      CHECK(found["evaluations"].get<int>() <= most + line + derivatives);
+    }
 }
 
 TEST_CASE("a posterior by an emulator has bands of constants and of the curve, and the report shows them",

@@ -124,6 +124,38 @@ TEST_CASE("grips of a quasi-static scene turn where they hold sideways, and make
   CHECK_THAT(outcome.err, Contains("Loading/Grips turn") && Contains("Lateral motion blocked"));
 }
 
+TEST_CASE("grips that turn in motion find the modulus and the strength of those that turn in equilibrium", "[apps]")
+{
+  const ScratchFolder folder;
+  folder.file("packing.txt", small_heap());
+  folder.file("moving.prm", scene_with_file());
+  folder.file("still.prm", quasi_static_scene());
+  const auto pulled = [&](std::vector<std::string> words) {
+    words.insert(words.end(), {"-s", "Loading/Tests=tension"});
+    const Outcome outcome = run(folder.path(), words);
+    INFO(outcome.err);
+    REQUIRE(outcome.status == 0);
+    const auto figures = nlohmann::json::parse(content_of(folder / words[3] / "summary.json"))["figures"];
+    return std::pair(figures["young_modulus"]["value"].get<double>(),
+                     figures["tensile_strength"]["value"].get<double>());
+  };
+  const std::string block = "Grip lateral motion blocked=true";
+  for (const std::string turn : {"false", "true"})
+    {
+      const std::string grips = "Loading/Grips turn=" + turn;
+      const auto        still = pulled({"run", "still.prm", "-o", "still_" + turn, "-s", grips, "-s",
+                                        "Loading/Lateral motion blocked=true", "-s", "Loading/Tension/Strain step=2e-6"});
+      const auto moving = pulled({"run", "moving.prm", "-o", "moving_" + turn, "-s", grips, "-s", "Loading/" + block,
+                                  "-s", "Loading/Tension/Strain rate=0.2"});
+      INFO(turn);
+      CHECK(moving.first == Approx(still.first).epsilon(0.01));
+      CHECK(moving.second == Approx(still.second).epsilon(0.01));
+    }
+  const Outcome outcome = run(folder.path(), {"check", "moving.prm", "-s", "Loading/Grips turn=true"});
+  CHECK(outcome.status == 2);
+  CHECK_THAT(outcome.err, Contains("Loading/Grips turn") && Contains("Grip lateral motion blocked"));
+}
+
 TEST_CASE("a quasi-static test that ends before its peak has no strength, and says so", "[apps]")
 {
   const ScratchFolder folder;

@@ -59,7 +59,7 @@ TEST_CASE("The work of a grip's sudden change of velocity is the kinetic energy 
 {
   dem::Particles     p = row(4, 3 * r);
   dem::HeldParticles held;
-  const auto         grip = held.add(clamp({3, 1}), slots_of(p), p);
+  const auto         grip = held.add(clamp({3, 1}), slots_of(p), p, 3);
   dem::EnergyFlow    work;
   held.set_rates(grip, Vector3d(0.3, -0.2, 0.1), Vector3d(4, 0, 0), p, &work);
   CHECK(work.at_forces() == Approx(kinetic(p)).epsilon(1e-14));
@@ -74,7 +74,7 @@ TEST_CASE("The work of a grip's sudden change of velocity is the kinetic energy 
   {
     dem::HeldParticles others;
     dem::Particles     q = row(4, 3 * r);
-    others.set_rates(others.add(clamp({0}), slots_of(q), q), Vector3d(1, 0, 0), Vector3d::Zero(), q, nullptr);
+    others.set_rates(others.add(clamp({0}), slots_of(q), q, 3), Vector3d(1, 0, 0), Vector3d::Zero(), q, nullptr);
     CHECK(kinetic(q) > 0);
   }
 }
@@ -87,7 +87,7 @@ TEST_CASE("Only directions that a grip prescribes are held, and react", "[dem][p
   grip.prescribed = {true, false, false, false, false, true};
   dem::HeldParticles held;
   const auto         slot   = slots_of(p);
-  const auto         number = held.add(grip, slot, p);
+  const auto         number = held.add(grip, slot, p, 3);
   held.set_rates(number, Vector3d(5, 6, 7), Vector3d(1, 2, 3), p, nullptr);
   const double *v = six(p.velocity, slot[0]), *mobile = six(p.inverse_mass, slot[0]);
   CHECK(std::vector<double>(v, v + 6) == std::vector<double>{5, 0, 0, 0, 0, 3});
@@ -110,8 +110,8 @@ TEST_CASE("Corrections move particles that were left to a partner, and no others
   dem::Particles     p = row(3, 3 * r);
   dem::HeldParticles held;
   const auto         slot  = slots_of(p);
-  const auto         lent  = held.add(clamp({2}), slot, p);
-  const auto         fixed = held.add(clamp({0}), slot, p);
+  const auto         lent  = held.add(clamp({2}), slot, p, 3);
+  const auto         fixed = held.add(clamp({0}), slot, p, 3);
   const auto         i     = static_cast<std::size_t>(slot[2]);
   CHECK_FALSE(held.correct_rate(p, i, 0, 0, 1));
   held.set_own_rates(lent, {Vector3d::Zero()}, {Vector3d::Zero()}, p, nullptr);
@@ -127,7 +127,7 @@ TEST_CASE("A grip's rates for each particle must be as many as it has", "[dem][p
 {
   dem::Particles     p = row(3, 3 * r);
   dem::HeldParticles held;
-  const auto         grip = held.add(clamp({0, 1}), slots_of(p), p);
+  const auto         grip = held.add(clamp({0, 1}), slots_of(p), p, 3);
   CHECK_THROWS_WITH(held.set_own_rates(grip, {Vector3d::Zero()}, {Vector3d::Zero()}, p, nullptr),
                     Catch::Contains("Grip of 2 particles: velocities of 1 and spins of 1"));
 }
@@ -137,7 +137,7 @@ TEST_CASE("The state of held particles is whole: a copy that reads it works and 
   dem::Particles     p = row(3, 3 * r);
   dem::HeldParticles held;
   const auto         slot = slots_of(p);
-  held.add(clamp({1}), slot, p);
+  held.add(clamp({1}), slot, p, 3);
   dem::HeldParticles copy = held;
   dem::EnergyFlow    work;
   held.set_own_rates(0, {Vector3d(1, 2, 3)}, {Vector3d(4, 5, 6)}, p, &work);

@@ -208,6 +208,36 @@ TEST_CASE("noise of a model: derivatives are not taken anew within what constant
   CHECK(optimisation::model_at_end(problem, {}, there, noise).evaluations > on_a_line + 2 * in_a_round);
 }
 
+TEST_CASE("noise of a model: an answer that is worse by more than noise explains is not taken", "[optimisation]")
+{
+  // At the kink of the first residual, which differences to both sides do not see; the second one leads away from there.
+  optimisation::LeastSquaresProblem problem;
+  problem.start     = Eigen::VectorXd::Constant(1, 0.5);
+  problem.lower     = Eigen::VectorXd::Zero(1);
+  problem.upper     = Eigen::VectorXd::Ones(1);
+  problem.steps     = Eigen::VectorXd::Constant(1, 0.03);
+  problem.residuals = [](const std::vector<Eigen::VectorXd> &places) {
+    std::vector<std::optional<Eigen::VectorXd>> all;
+    for (const Eigen::VectorXd &place : places)
+      {
+        const double way = place[0] - 0.5, rough = 0.003 * std::sin(1e4 * place[0]);
+        all.emplace_back(Eigen::Vector2d(1.5 * std::fabs(way) + rough, 0.3 - way - rough));
+      }
+    return all;
+  };
+  const auto                 there = ended_at_start(problem);
+  optimisation::NoiseOptions noise = noise_wanted();
+  noise.wide_steps                 = Eigen::VectorXd::Constant(1, 0.06);
+  noise.most_evaluations           = 4 + 7 + 1; // a line, a round of one variable, the answer
+  const auto end                   = optimisation::model_at_end(problem, {}, there, noise);
+  CHECK(end.place == problem.start); // squares of 0.133 where it would have led, 0.09 here
+  CHECK(end.residuals == there.residuals);
+  CHECK(end.share == 1);
+  CHECK(end.jacobian(0, 0) == Approx(0).margin(0.1));
+  CHECK(end.jacobian(1, 0) == Approx(-1).margin(0.1));
+  CHECK_FALSE(end.cut_short);
+}
+
 TEST_CASE("noise of a model: whoever holds a variable for what the first derivatives show runs no more",
           "[optimisation]")
 {

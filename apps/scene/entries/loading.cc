@@ -43,6 +43,9 @@ namespace apps
       .means("Grips hold their particles sideways too, as rough platens do");
     section.flag("Grip rotation blocked", uniaxial_loading.spin_blocked)
       .means("Grips keep their particles from spinning");
+    section.flag("Grips turn", uniaxial_loading.grips_turn)
+      .means("Each grip turns about its middle, as a platen on a spherical seat; otherwise both stay parallel. Their "
+             "particles are held sideways then");
     declare_test(section, uniaxial_loading, UniaxialLoad::tension);
     declare_test(section, uniaxial_loading, UniaxialLoad::compression);
   }

@@ -16,6 +16,7 @@ namespace apps
       const auto      platens = [&specimen_test] { return specimen_test.presses(); };
       const auto      flat    = [&specimen_test] { return specimen_test.flat_platens(); };
       const auto      outside = [&specimen_test] { return specimen_test.flat_platens() && !specimen_test.at_vessel; };
+      const auto      glued   = [&specimen_test] { return specimen_test.test == Test::tension; };
       const auto      bending = [&specimen_test] { return specimen_test.test == Test::bending; };
       s.choice("Axis", specimen_test.requested.press.axis, {{"x", 0}, {"y", 1}, {"z", 2}}, Need::optional)
         .means("Along which the specimen is loaded")
@@ -46,7 +47,10 @@ namespace apps
         .only_if(outside, "Test is of platens, and Platens = outermost particles");
       s.number("Glued layer", specimen_test.requested.press.layer, "m", Range::positive(), Need::required)
         .means("Centres within it of the outermost centre are held by the platen")
-        .only_if([&specimen_test] { return specimen_test.test == Test::tension; }, "Test = direct tension");
+        .only_if(glued, "Test = direct tension");
+      s.flag("Platens turn", specimen_test.requested.press.turns)
+        .means("Each glued platen turns about its middle, as on a spherical seat; otherwise both stay parallel")
+        .only_if(glued, "Test = direct tension");
       s.choice("Body axis", specimen_test.requested.press.along, {{"x", 0}, {"y", 1}, {"z", 2}}, Need::optional)
         .means("Of a beam, between its supports; in space also of a disk that is split, its own")
         .only_if(
