@@ -99,6 +99,26 @@ TEST_CASE("check forecasts without a folder for temporary files", "[apps]")
   CHECK_THAT(outcome.out, Contains("duration     roughly "));
 }
 
+TEST_CASE("check seeks the sharp critical step of small specimens alone, and says so of a large one", "[apps][slow]")
+{
+  const ScratchFolder folder;
+  folder.file("x.prm", replaced(scene_with_file(), "set Snapshots = 5", "set Snapshots = 0"));
+  const auto checked = [&](const int layers) {
+    std::string text;
+    for (int i = 0; i < 61 * 61 * layers; ++i)
+      text += std::to_string(2 * (i % 61)) + "e-3 " + std::to_string(2 * (i / 61 % 61)) + "e-3 " +
+              std::to_string(2 * (i / 3721)) + "e-3 1e-3\n";
+    folder.file("packing.txt", text);
+    const Outcome outcome = run(folder.path(), {"check", "x.prm", "-s", "Loading/Tests=tension"});
+    INFO(outcome.err);
+    REQUIRE(outcome.status == 0);
+    return outcome.out;
+  };
+  CHECK_THAT(checked(3), Contains("would be critical: sharp"));
+  CHECK_THAT(checked(54),
+             Contains("particles    200934") && Contains("sharp bound is sought of at most 200000 particles"));
+}
+
 TEST_CASE("check promises no duration of cells that may break", "[apps]")
 {
   for (const std::string &said : forecasts_of({"cells_at_hole.prm"}))

@@ -48,6 +48,16 @@ namespace apps
              static_cast<double>(std::min(output.snapshots, output.samples)) * snapshot;
     }
 
+    /** Of a large specimen it would take longer, and more memory, than all else. */
+    std::string line_of_critical_step(const dem::ObservedSpecimen &body)
+    {
+      constexpr std::size_t most = 200'000;
+      if (body.counts().particles > most)
+        return fmt::format("               the sharp bound is sought of at most {} particles\n", most);
+      return fmt::format("               {:.4g} s would be critical: sharp, by the largest eigenvalue\n",
+                         body.critical_step());
+    }
+
     std::string megabytes(const std::size_t bytes)
     {
       return fmt::format("{:.1f} MB", 1e-6 * static_cast<double>(bytes));
@@ -72,8 +82,7 @@ namespace apps
     text += jointed.text();
     text += fmt::format("  time step    {:.4g} s = {} of the bound of its particles\n", body.time_step(),
                         requested.time.step_factor);
-    text += fmt::format("               {:.4g} s would be critical: sharp, by the largest eigenvalue\n",
-                        body.critical_step());
+    text += line_of_critical_step(body);
     text += fmt::format("  memory       {} for particles and links\n", megabytes(body.bytes()));
     double steps = 0, expected = 0, parts = 0; // parts of the way to the stop strain, of all tests
     double cost = 0;
