@@ -22,9 +22,10 @@ namespace apps
                                        rank_count()));
       if (!model.is_cell() && model.grips_turn)
         base::EntryPath().at("Loading").refuse(
-          "Grips turn", fmt::format("they need the direct solver, which runs in one process, and mpirun has started {}. "
-                                    "Use --threads.",
-                                    rank_count()));
+          "Grips turn",
+          fmt::format("they need the direct solver, which runs in one process, and mpirun has started {}. "
+                      "Use --threads.",
+                      rank_count()));
     }
   } // namespace
 
