@@ -8,6 +8,9 @@ namespace dem
   {
     constexpr int rows_of_brick = static_cast<int>(particles_per_brick);
 
+    /** Of the undamaged diagonal; well above the rounding of single precision, so that no pivot vanishes where nothing resists. */
+    constexpr double keeps_pivots = 1e-6;
+
     /** Of one brick's rows among themselves, both counted from the brick's first. */
     std::shared_ptr<const BlockPattern>
     pattern_of_brick(const LinkEnds &links, const std::vector<std::size_t> &inside, const int first, const int rows)
@@ -37,14 +40,14 @@ namespace dem
     factor.resize(pattern.size());
   }
 
-  bool BrickFactor::compute_brick(const std::size_t brick, const BlockMatrix &matrix)
+  bool BrickFactor::compute_brick(const std::size_t brick, const BlockMatrix &matrix, const Eigen::VectorXd &diagonal)
   {
     const int   first = static_cast<int>(share.own().first) + rows_of_brick * static_cast<int>(brick);
     BlockMatrix own(pattern[brick]);
     for (int row = 0; row < own.rows(); ++row)
       for (int k = own.begin(row); k < own.begin(row + 1); ++k)
         own.block(k) = matrix.block(matrix.place(first + row, first + own.column(k)));
-    return factor[brick].compute(own, Eigen::VectorXd::Zero(own.size()));
+    return factor[brick].compute(own, keeps_pivots * diagonal.segment(motions * first, own.size()));
   }
 
   bool BrickFactor::compute(const BlockMatrix &matrix, const Eigen::VectorXd &diagonal)
@@ -53,7 +56,7 @@ namespace dem
     const auto        bricks = static_cast<std::int64_t>(factor.size());
 #pragma omp parallel for schedule(dynamic)
     for (std::int64_t brick = 0; brick < bricks; ++brick)
-      done[static_cast<std::size_t>(brick)] = compute_brick(static_cast<std::size_t>(brick), matrix);
+      done[static_cast<std::size_t>(brick)] = compute_brick(static_cast<std::size_t>(brick), matrix, diagonal);
     const bool all = std::all_of(done.begin(), done.end(), [](const char one) { return one != 0; });
     return share.everywhere(all) && rigid.compute(matrix, diagonal);
   }

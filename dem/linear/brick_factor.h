@@ -23,7 +23,7 @@ namespace dem
 
     /**
      * @param matrix complete in the share's own rows
-     * @param diagonal of the whole system with undamaged links: what sizes are measured by
+     * @param diagonal of the whole system with undamaged links; tiny parts of it keep motions regular that nothing resists
      * @return false on all ranks where a pivot is singular on one
      */
     bool compute(const BlockMatrix &matrix, const Eigen::VectorXd &diagonal);
@@ -32,7 +32,7 @@ namespace dem
     void apply(const double *r, float *z);
 
   private:
-    bool compute_brick(std::size_t brick, const BlockMatrix &matrix);
+    bool compute_brick(std::size_t brick, const BlockMatrix &matrix, const Eigen::VectorXd &diagonal);
 
     const RowShare                                  &share;
     std::vector<std::shared_ptr<const BlockPattern>> pattern; ///< of each own brick
