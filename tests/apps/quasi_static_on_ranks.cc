@@ -86,11 +86,11 @@ TEST_CASE("What needs a factor is refused under mpirun in one message", "[apps][
   if (places::skipped_without_mpirun())
     return;
   refused_on_ranks(pulled({"Solver/Linear solver=direct"}),
-                   "Solver/Linear solver: direct: runs in one process, and mpirun has started 2. Choose automatic or "
+                   "Solver/Linear solver = direct: runs in one process, and mpirun has started 2. Choose automatic or "
                    "iterative, or use --threads.");
   refused_on_ranks(
     pulled({"Solver/Linear solver=automatic", "Loading/Lateral motion blocked=true", "Loading/Grips turn=true"}),
-    "Loading/Grips turn: they need the direct solver, which runs in one process, and mpirun has started 2.");
+    "Loading/Grips turn = true: they need the direct solver, which runs in one process, and mpirun has started 2.");
   refused_on_ranks(run_of("crack_promoted.prm"), "Kind = structure: runs in one process, and mpirun has started 2.");
 }
 

@@ -127,7 +127,7 @@ namespace
   }
 } // namespace
 
-TEST_CASE("an iterated path of tension has the forces and the breaks of one by factors", "[dem][statics][ranks]")
+TEST_CASE("an iterated path of tension has the forces and the breaks of one by factors", "[dem][statics][ranks][slow]")
 {
   omp_set_num_threads(1);
   const bool               cell    = GENERATE(false, true);
@@ -177,7 +177,7 @@ TEST_CASE("an iterated path of a chain with a weak link snaps back along the clo
   CHECK(least == Approx(0.734e-4).epsilon(0.001)); // it has come back from 0.825e-4
 }
 
-TEST_CASE("an iterated path on ranks: every point has the bits of one", "[dem][statics][ranks]")
+TEST_CASE("an iterated path on ranks: every point has the bits of one", "[dem][statics][ranks][slow]")
 {
   const dem::QuasiStaticParameters p = shortly_pulled();
   SECTION("a specimen between grips that leave its particles free sideways") { same_on_ranks(box_of(600), p); }
@@ -186,7 +186,7 @@ TEST_CASE("an iterated path on ranks: every point has the bits of one", "[dem][s
 }
 
 TEST_CASE("an iterated path goes on after a restart on other ranks with the bits of one without",
-          "[dem][statics][ranks][S13]")
+          "[dem][statics][ranks][slow][S13]")
 {
   const dem::LoadedNetwork         loaded = box_of(600);
   const dem::QuasiStaticParameters p      = shortly_pulled();
@@ -225,7 +225,8 @@ TEST_CASE("an iterated path goes on after a restart on other ranks with the bits
     }
 }
 
-TEST_CASE("an iterated path of particles that nothing holds, and of more ranks than bricks", "[dem][statics][ranks]")
+TEST_CASE("an iterated path of particles that nothing holds, and of more ranks than bricks",
+          "[dem][statics][ranks][slow]")
 {
   dem::LoadedNetwork loaded = box_of(300); // two bricks
   const auto         ends   = [](const dem::ElasticLink &l) { return l.first == 150 || l.second == 150; };

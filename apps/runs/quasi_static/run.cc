@@ -17,7 +17,7 @@ namespace apps
         return;
       if (model.linear_solver == dem::SolverMethod::direct)
         base::EntryPath().at("Solver").refuse(
-          "Linear solver", fmt::format("direct: runs in one process, and mpirun has started {}. Choose automatic or "
+          "Linear solver", fmt::format("runs in one process, and mpirun has started {}. Choose automatic or "
                                        "iterative, or use --threads.",
                                        rank_count()));
       if (!model.is_cell() && model.grips_turn)
