@@ -19,6 +19,12 @@ namespace dem
       return static_cast<int>((rows + particles_per_brick - 1) / particles_per_brick);
     }
 
+    /** Behind the last brick of a range, which begins with a brick; a rank that has none begins behind the last row. */
+    int end_brick(const ParticleRange &of)
+    {
+      return of.first == of.end ? 0 : number_of_bricks(static_cast<std::size_t>(of.end));
+    }
+
     std::vector<std::pair<int, int>> joined_bricks(const LinkEnds &links)
     {
       std::vector<std::pair<int, int>> joined;
@@ -83,7 +89,7 @@ namespace dem
   {
     const int first = static_cast<int>(share.own().first), end = static_cast<int>(share.own().end);
 #pragma omp parallel for schedule(static)
-    for (int brick = first / rows_per_brick; brick < (end + rows_per_brick - 1) / rows_per_brick; ++brick)
+    for (int brick = first / rows_per_brick; brick < end_brick(share.own()); ++brick)
       {
         double *const own = &blocks[static_cast<std::size_t>(brick) * widest * motions * motions];
         std::fill_n(own, widest * motions * motions, 0.0);
@@ -152,7 +158,7 @@ namespace dem
   {
     const int first = static_cast<int>(share.own().first), end = static_cast<int>(share.own().end);
 #pragma omp parallel for schedule(static)
-    for (int brick = first / rows_per_brick; brick < (end + rows_per_brick - 1) / rows_per_brick; ++brick)
+    for (int brick = first / rows_per_brick; brick < end_brick(share.own()); ++brick)
       {
         Eigen::Matrix<double, motions, 1> sum = Eigen::Matrix<double, motions, 1>::Zero();
         for (int row = brick * rows_per_brick; row < std::min(end, (brick + 1) * rows_per_brick); ++row)
