@@ -57,10 +57,10 @@ namespace apps
   void refuse_idle_ranks(const CheckedScene &scene)
   {
     if (launched_ranks() > 1 && !scene.scene->shares_ranks())
-      throw base::InputError(
-        fmt::format("{}: Kind = {}: runs in one process, and mpirun has started {}. Use --threads; "
-                    "only scenes of kind cell, continuum, coupled, homogenisation, particles and uniaxial share their "
-                    "work among processes.",
-                    scene.file, scene.kind, launched_ranks()));
+      throw base::InputError(fmt::format(
+        "{}: Kind = {}: runs in one process, and mpirun has started {}. Use --threads; "
+        "only scenes of kind cell, continuum, coupled, homogenisation, particles, quasi_static and uniaxial "
+        "share their work among processes.",
+        scene.file, scene.kind, launched_ranks()));
   }
 } // namespace apps

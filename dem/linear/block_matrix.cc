@@ -39,6 +39,12 @@ namespace dem
   {
   }
 
+  BlockMatrix::BlockMatrix(std::shared_ptr<const BlockPattern> pattern)
+    : of(std::move(pattern))
+    , wide(static_cast<std::size_t>(of->blocks()), WideBlock<double>::Zero())
+  {
+  }
+
   void BlockMatrix::set_zero()
   {
     for (WideBlock<double> &b : wide)
@@ -60,31 +66,46 @@ namespace dem
   }
 
   template <int n>
-  void BlockMatrix::multiply(const Columns<n> &x, Columns<n> &y) const
+  void BlockMatrix::multiply_row(const int            row,
+                                 const double *const  x,
+                                 const std::ptrdiff_t x_apart,
+                                 double *const        y,
+                                 const std::ptrdiff_t y_apart) const
   {
     alignas(64) double out[pack_size];
-    for (int row = 0; row < rows(); ++row)
+    Pack               sum[n];
+    for (Pack &s : sum)
+      s = 0.0;
+    for (int k = begin(row); k < begin(row + 1); ++k)
       {
-        Pack sum[n];
-        for (Pack &s : sum)
-          s = 0.0;
-        for (int k = begin(row); k < begin(row + 1); ++k)
+        const double *const block = wide[static_cast<std::size_t>(k)].data();
+        const double *const from  = x + static_cast<std::ptrdiff_t>(motions) * column(k);
+        for (int c = 0; c < motions; ++c)
           {
-            const double *const block = wide[static_cast<std::size_t>(k)].data();
-            const double *const from  = x.data() + motions * column(k);
-            for (int c = 0; c < motions; ++c)
-              {
-                const Pack of_block = load(block + pack_size * c);
-                for (int i = 0; i < n; ++i)
-                  sum[i] = multiply_add(of_block, Pack(from[i * x.rows() + c]), sum[i]);
-              }
-          }
-        for (int i = 0; i < n; ++i)
-          {
-            store(sum[i], out);
-            std::copy_n(out, motions, y.data() + i * y.rows() + motions * row);
+            const Pack of_block = load(block + pack_size * c);
+            for (int i = 0; i < n; ++i)
+              sum[i] = multiply_add(of_block, Pack(from[i * x_apart + c]), sum[i]);
           }
       }
+    for (int i = 0; i < n; ++i)
+      {
+        store(sum[i], out);
+        std::copy_n(out, motions, y + i * y_apart);
+      }
+  }
+
+  template <int n>
+  void BlockMatrix::multiply(const Columns<n> &x, Columns<n> &y) const
+  {
+    for (int row = 0; row < rows(); ++row)
+      multiply_row<n>(row, x.data(), x.rows(), y.data() + motions * row, y.rows());
+  }
+
+  void BlockMatrix::multiply(const double *const x, const int first, const int end, double *const y) const
+  {
+#pragma omp parallel for schedule(static)
+    for (int row = first; row < end; ++row)
+      multiply_row<1>(row, x, 0, y + static_cast<std::ptrdiff_t>(motions) * (row - first), 0);
   }
 
   template void BlockMatrix::multiply(const Columns<1> &, Columns<1> &) const;

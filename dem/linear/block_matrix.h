@@ -5,6 +5,7 @@
 
 #include <Eigen/Core>
 
+#include <cstddef>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -50,6 +51,7 @@ namespace dem
   public:
     /** @param joined as BlockPattern */
     BlockMatrix(int rows, const std::vector<std::pair<int, int>> &joined);
+    explicit BlockMatrix(std::shared_ptr<const BlockPattern> pattern);
 
     const std::shared_ptr<const BlockPattern> &pattern() const { return of; }
 
@@ -70,8 +72,14 @@ namespace dem
     /** y = A x; y has the size of x. */
     template <int n>
     void multiply(const Columns<n> &x, Columns<n> &y) const;
+    /** The same for one vector and some rows, by all threads. @param y of these rows alone */
+    void multiply(const double *x, int first, int end, double *y) const;
 
   private:
+    /** What a row makes of vectors that stand so far apart. @param y likewise */
+    template <int n>
+    void multiply_row(int row, const double *x, std::ptrdiff_t x_apart, double *y, std::ptrdiff_t y_apart) const;
+
     std::shared_ptr<const BlockPattern> of;
     std::vector<WideBlock<double>>      wide;
   };

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "dem/linear/iterations.h"
+#include "dem/linear/solver_method.h"
 #include "dem/linear/sparse_factor.h"
 #include "dem/network/mechanisms.h"
 
@@ -9,13 +10,10 @@
 
 namespace dem
 {
-  enum class SolverMethod
-  {
-    automatic, ///< iterate, and factorise if that is predicted to cost less than going on
-    iterative, ///< conjugate gradients, preconditioned by the particles' own blocks
-    direct     ///< sparse Cholesky factor, refined by conjugate gradients
-  };
-
+  /**
+   * Automatic: iterate, and factorise if that is predicted to cost less than going on. Iterative: conjugate gradients, preconditioned by the
+   * particles' own blocks. Direct: a sparse Cholesky factor, refined by iteration.
+   */
   struct SolverParameters
   {
     SolverMethod method         = SolverMethod::automatic;

@@ -58,14 +58,10 @@ namespace dem
   {
     basis.resize(residual.size(), restart + 1);
     found.resize(residual.size(), restart);
-    upper.resize(restart + 1, restart);
-    left.resize(restart + 1);
-    cosine.resize(restart);
-    sine.resize(restart);
+    projected.begin(restart, norm);
     used         = 0;
     done         = false;
     basis.col(0) = residual / norm;
-    left[0]      = norm;
   }
 
   template <int n>
@@ -107,9 +103,8 @@ namespace dem
             {
               Space &of = spaces[i];
               of.orthogonalise(k, w.col(i));
-              of.rotate(k);
               of.used = k + 1;
-              of.done = !(std::fabs(of.left[k + 1]) > tolerance * size[i]);
+              of.done = !(of.projected.take(k) > tolerance * size[i]);
             }
       }
     return most;
@@ -121,10 +116,10 @@ namespace dem
     for (int i = 0; i < n; ++i)
       if (const int k = spaces[i].used; k > 0)
         {
-          Space &of = spaces[i];
-          of.upper.topLeftCorner(k, k).template triangularView<Eigen::Upper>().solveInPlace(of.left.head(k));
+          const Space          &of     = spaces[i];
+          const Eigen::VectorXd weight = of.projected.weights(k);
           for (int j = 0; j < k; ++j)
-            x.col(i) += of.left[j] * of.found.col(j).template cast<double>();
+            x.col(i) += weight[j] * of.found.col(j).template cast<double>();
         }
   }
 
@@ -134,7 +129,7 @@ namespace dem
     // Gram-Schmidt, repeated where much was taken away: "twice is enough" (Giraud et al. 2005).
     const auto   space  = basis.leftCols(k + 1);
     const double before = w.norm();
-    auto         h      = upper.col(k).head(k + 1);
+    auto         h      = projected.components(k).head(k + 1);
     h.noalias()         = space.transpose() * w;
     w.noalias() -= space * h;
     double norm = w.norm();
@@ -145,28 +140,11 @@ namespace dem
         h += again;
         norm = w.norm();
       }
-    upper(k + 1, k) = norm;
+    projected.components(k)[k + 1] = norm;
     if (norm > 0)
       basis.col(k + 1) = w / norm;
     else
       basis.col(k + 1).setZero();
-  }
-
-  template <int n>
-  void MinimalResiduals<n>::Space::rotate(const int k)
-  {
-    for (int i = 0; i < k; ++i)
-      {
-        const double a = upper(i, k), b = upper(i + 1, k);
-        upper(i, k)     = cosine[i] * a + sine[i] * b;
-        upper(i + 1, k) = cosine[i] * b - sine[i] * a;
-      }
-    const double length = std::hypot(upper(k, k), upper(k + 1, k));
-    cosine[k]           = length > 0 ? upper(k, k) / length : 1;
-    sine[k]             = length > 0 ? upper(k + 1, k) / length : 0;
-    upper(k, k)         = length;
-    left[k + 1]         = -sine[k] * left[k];
-    left[k] *= cosine[k];
   }
 
   template class MinimalResiduals<1>;

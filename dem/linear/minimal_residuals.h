@@ -1,6 +1,7 @@
 #pragma once
 
 #include "dem/linear/incomplete_factor.h"
+#include "dem/linear/projected_residual.h"
 
 #include <array>
 
@@ -39,17 +40,14 @@ namespace dem
     /** What one right side has found since the last restart. */
     struct Space
     {
-      Eigen::MatrixXd basis;        ///< orthonormal columns
-      Eigen::MatrixXf found;        ///< what the factor made of them
-      Eigen::MatrixXd upper;        ///< triangular: of the space's projection
-      Eigen::VectorXd left;         ///< of the projected residual
-      Eigen::VectorXd cosine, sine; ///< rotations
-      int             used = 0;
-      bool            done = true;
+      Eigen::MatrixXd   basis; ///< orthonormal columns
+      Eigen::MatrixXf   found; ///< what the factor made of them
+      ProjectedResidual projected;
+      int               used = 0;
+      bool              done = true;
 
       void begin(const Eigen::VectorXd &residual, double size);
       void orthogonalise(int k, Eigen::Ref<Eigen::VectorXd> w);
-      void rotate(int k);
     };
 
     /** @return iterations */

@@ -8,8 +8,6 @@ namespace dem
 {
   namespace
   {
-    constexpr std::size_t field_size = motions * load_lanes; ///< numbers of a particle
-
     LinkEnds ends_of(const StiffnessOperator &stiffness)
     {
       LinkEnds ends;
@@ -30,32 +28,39 @@ namespace dem
       };
       return {at(share.first_particle), at(share.end_particle)};
     }
-
-    void add_message(const std::size_t                       rank,
-                     std::vector<std::int32_t>               particles,
-                     std::vector<RankMessage>               &messages,
-                     std::vector<std::vector<std::int32_t>> &lists)
-    {
-      if (particles.empty())
-        return;
-      messages.push_back({rank, std::vector<double>(particles.size() * field_size)});
-      lists.push_back(std::move(particles));
-    }
   } // namespace
 
   RowShare::RowShare(const StiffnessOperator &stiffness, Ranks *const all)
-    : ranks(all)
-    , begin{0, static_cast<std::int64_t>(stiffness.particles())}
+    : RowShare(stiffness.particles(), all ? ends_of(stiffness) : LinkEnds(), motions * load_lanes, all)
+  {
+  }
+
+  RowShare::RowShare(const std::size_t particles, const LinkEnds &links, const std::size_t numbers, Ranks *const all)
+    : field_size(numbers)
+    , ranks(all)
+    , begin{0, static_cast<std::int64_t>(particles)}
     , range{0, begin.back()}
   {
     if (ranks)
-      find_messages(stiffness);
+      find_messages(links);
   }
 
-  void RowShare::find_messages(const StiffnessOperator &stiffness)
+  void RowShare::add_message(const std::size_t                       rank,
+                             std::vector<std::int32_t>               particles,
+                             std::vector<RankMessage>               &messages,
+                             std::vector<std::vector<std::int32_t>> &lists) const
   {
-    const std::vector<RankShare> shares = share_out(stiffness.particles(), ends_of(stiffness), ranks->size());
-    const RankShare             &own    = shares[ranks->rank()];
+    if (particles.empty())
+      return;
+    messages.push_back({rank, std::vector<double>(particles.size() * field_size)});
+    lists.push_back(std::move(particles));
+  }
+
+  void RowShare::find_messages(const LinkEnds &links)
+  {
+    const auto                   particles = static_cast<std::size_t>(range.end);
+    const std::vector<RankShare> shares    = share_out(particles, links, ranks->size());
+    const RankShare             &own       = shares[ranks->rank()];
     begin.clear();
     for (std::size_t r = 0; r < shares.size(); ++r)
       {
@@ -63,8 +68,24 @@ namespace dem
         add_message(r, within(own.ghosts, shares[r]), in, received);
         add_message(r, within(shares[r].ghosts, own), out, sent);
       }
-    begin.push_back(static_cast<std::int64_t>(stiffness.particles()));
+    begin.push_back(static_cast<std::int64_t>(particles));
     range = {begin[ranks->rank()], begin[ranks->rank() + 1]};
+  }
+
+  std::vector<std::int32_t> RowShare::ghosts() const
+  {
+    std::vector<std::int32_t> all;
+    for (const std::vector<std::int32_t> &from_rank : received) // ascending, as the ranks' particles are
+      all.insert(all.end(), from_rank.begin(), from_rank.end());
+    return all;
+  }
+
+  bool RowShare::everywhere(const bool here) const
+  {
+    double missing = here ? 0 : 1;
+    if (ranks)
+      ranks->largest(&missing, 1);
+    return missing == 0;
   }
 
   void RowShare::receive(Fields &x)

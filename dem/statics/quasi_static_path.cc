@@ -14,6 +14,8 @@ namespace dem
   {
     constexpr double infinity = std::numeric_limits<double>::infinity();
 
+    constexpr double negligible = 0.03; ///< of the tolerance, for residuals of linear systems
+
     void check(const QuasiStaticParameters &p)
     {
       const auto require = [](const bool holds, const char *entry, const double value, const char *rule) {
@@ -69,7 +71,7 @@ namespace dem
     : loaded(&network)
     , parameters(asked)
     , bonds(network, materials)
-    , system(network)
+    , system(network, {asked.solver, asked.ranks, negligible * asked.tolerance})
     , now(network.held.size())
     , path(1)
   {
@@ -330,6 +332,7 @@ namespace dem
     visitor.scalar("part", part);
     visitor.scalar("most_borne", most_borne);
     visit_points(visitor);
+    system.visit_state(visitor);
     restore(now);
     dead_load_work = work_of_dead_loads();
   }

@@ -24,6 +24,9 @@ namespace dem
     double tolerance      = 1e-7;        ///< see Unbalanced::residual, in (0, 1e-2]
     int    max_iterations = 12;          ///< of Newton's method on one step, > 1; three times as many with the secant
     LinkRelaxationParameters relaxation; ///< its tolerance is the one above
+
+    SolverMethod solver = SolverMethod::direct; ///< of linear systems, see TangentSolver
+    Ranks *ranks = nullptr; ///< that share an iteration, all of them following the same path; none: this process alone
   };
 
   /** What kept a step on the path. */

@@ -1,8 +1,10 @@
 #include "dem/statics/tangent_system.h"
 
+#include "base/errors.h"
 #include "base/solver_turns.h"
 #include "dem/network/slip_matrices.h"
 #include "dem/statics/changed_links.h"
+#include "dem/statics/shared_tangent.h"
 #include "dem/statics/surrounded_system.h"
 
 #include <Eigen/Geometry>
@@ -25,6 +27,7 @@ namespace dem
     using Sparse = Eigen::SparseMatrix<double>;
 
     constexpr double added_to_diagonal = 1e-9;
+    constexpr double iterated_to       = 1e-6; ///< residual of an iteration, over the forces
 
     /** A sparse factor, which is ordered when first needed. */
     class Factor
@@ -76,15 +79,22 @@ namespace dem
       , scale(mean_arm(l.network))
     {
       number_unknowns();
-      lay_out();
       for (int p = 0; p < 6; ++p)
         if (loaded.free[p] || p == loaded.driven)
           moving.push_back(p);
       for (int p = 0; p < 6; ++p)
         if (loaded.network.dimension == 3 || p < 2 || p == 5)
           all.push_back(p);
-      if (count == 0) // all particles are driven: nothing is left to solve for
+      starts =
+        Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(unknown.size()), static_cast<Eigen::Index>(moving.size()));
+    }
+
+    /** For factors, when first needed. */
+    void prepare_matrix()
+    {
+      if (around)
         return;
+      lay_out();
       weak_diagonal = undamaged_diagonal();
       around        = std::make_unique<SurroundedSystem>(loaded, unknown, count, weak_diagonal.mean());
     }
@@ -99,6 +109,7 @@ namespace dem
     /** With the stiffness that links have undamaged, from which few differ: no factor of the whole is needed. */
     void factorize_undamaged()
     {
+      prepare_matrix();
       const std::vector<base::Matrix6> stiffness = undamaged();
       assemble(stiffness);
       if (!undamaged_factor.factorize(*around, around->whole(matrix)))
@@ -141,6 +152,61 @@ namespace dem
       x.rightCols(undamaged_answers.cols()) = undamaged_answers - changed->under_loads(moving);
       changed->correct(x);
       return x;
+    }
+
+    /** As columns, what is unbalanced and minus the forces of the moving parameters. */
+    Eigen::MatrixXd right_sides(const std::vector<base::Matrix6> &stiffness, const Unbalanced &unbalanced) const
+    {
+      Eigen::MatrixXd right(count, static_cast<Eigen::Index>(moving.size()) + 1);
+      right.rightCols(static_cast<Eigen::Index>(moving.size())) = -load_columns(stiffness, moving);
+      right.col(0)                                              = forces_of(unbalanced);
+      return right;
+    }
+
+    std::optional<Eigen::MatrixXd> answers_by_factor(const std::vector<base::Matrix6> &stiffness,
+                                                     const Unbalanced                 &unbalanced)
+    {
+      if (!factorize(stiffness))
+        return {};
+      return solve(right_sides(stiffness, unbalanced));
+    }
+
+    std::optional<Eigen::MatrixXd> answers_by_iteration(const std::vector<base::Matrix6> &stiffness,
+                                                        const Unbalanced                 &unbalanced,
+                                                        const TangentSolver              &solver)
+    {
+      Eigen::MatrixXd x = right_sides(stiffness, unbalanced);
+      if (count == 0)
+        return x;
+      if (!shared)
+        shared.emplace(loaded, added_to_diagonal, solver.ranks);
+      if (!shared->set(stiffness))
+        return {};
+      for (Eigen::Index k = 0; k < x.cols(); ++k)
+        {
+          // What is nearly balanced need not be balanced better than the path asks for; motions per step go on from the last ones.
+          constexpr double at_most = 0.1;
+          const double     enough =
+            k == 0 && unbalanced.residual > 0 ? std::min(at_most, solver.negligible / unbalanced.residual) : 0.0;
+          Eigen::VectorXd motion = k == 0 ? Eigen::VectorXd::Zero(starts.rows()) : Eigen::VectorXd(starts.col(k - 1));
+          if (!shared->solve(of_all_motions(x.col(k)), std::max(iterated_to, enough), motion))
+            return {};
+          if (k > 0)
+            starts.col(k - 1) = motion;
+          for (std::size_t i = 0; i < unknown.size(); ++i)
+            if (unknown[i] >= 0)
+              x(unknown[i], k) = motion[static_cast<Eigen::Index>(i)];
+        }
+      return x;
+    }
+
+    Eigen::VectorXd of_all_motions(const Eigen::VectorXd &of_unknowns) const
+    {
+      Eigen::VectorXd all_motions = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(unknown.size()));
+      for (std::size_t i = 0; i < unknown.size(); ++i)
+        if (unknown[i] >= 0)
+          all_motions[static_cast<Eigen::Index>(i)] = of_unknowns[unknown[i]];
+      return all_motions;
     }
 
     void number_unknowns()
@@ -244,8 +310,9 @@ namespace dem
 
     bool factorize(const std::vector<base::Matrix6> &stiffness)
     {
-      if (count == 0)
+      if (count == 0) // all particles are driven: nothing is left to solve for
         return true;
+      prepare_matrix();
       assemble(stiffness);
       return factor.factorize(*around, around->whole(matrix));
     }
@@ -379,10 +446,31 @@ namespace dem
     std::optional<ChangedLinks> changed;              ///< from undamaged links, once these are factorised
     std::size_t                 changed_at_start = 0; ///< links, where the step began
     Eigen::MatrixXd             undamaged_answers;    ///< to the moving parameters
+
+    std::optional<SharedTangent> shared; ///< once it has iterated
+    Eigen::MatrixXd              starts; ///< for the moving parameters: motions of the last iteration
   };
 
-  TangentSystem::TangentSystem(const LoadedNetwork &network)
+  namespace
+  {
+    bool is_iterated(const LoadedNetwork &loaded, const TangentSolver &solver)
+    {
+      // Below, a factor takes little; in the plane it always does.
+      constexpr std::size_t many      = 30000;
+      const bool            networked = !loaded.body && !loaded.ties;
+      if (solver.method == SolverMethod::iterative && !networked)
+        throw base::InputError(
+          "quasi-static loading: the iterative solver knows neither ties nor a solid. Choose the direct one.");
+      if (solver.method != SolverMethod::automatic)
+        return solver.method == SolverMethod::iterative;
+      return networked && (solver.ranks || (loaded.network.dimension == 3 && motions * loaded.held.size() >= many));
+    }
+  } // namespace
+
+  TangentSystem::TangentSystem(const LoadedNetwork &network, const TangentSolver &how)
     : loaded(network)
+    , solver(how)
+    , by_iteration(is_iterated(network, how))
   {
   }
 
@@ -400,17 +488,14 @@ namespace dem
 
   bool TangentSystem::solve(const std::vector<base::Matrix6> &stiffness, const Unbalanced &unbalanced, Answer &answer)
   {
-    Implementation                &s     = made();
-    std::optional<Eigen::MatrixXd> found = s.answers_by_changes(stiffness, unbalanced);
+    Implementation                &s = made();
+    std::optional<Eigen::MatrixXd> found;
+    if (by_iteration)
+      found = s.answers_by_iteration(stiffness, unbalanced, solver);
+    else if (found = s.answers_by_changes(stiffness, unbalanced); !found)
+      found = s.answers_by_factor(stiffness, unbalanced);
     if (!found)
-      {
-        if (!s.factorize(stiffness))
-          return false;
-        Eigen::MatrixXd right(s.count, static_cast<Eigen::Index>(s.moving.size()) + 1);
-        right.rightCols(static_cast<Eigen::Index>(s.moving.size())) = -s.load_columns(stiffness, s.moving);
-        right.col(0)                                                = s.forces_of(unbalanced);
-        found                                                       = s.solve(right);
-      }
+      return false;
     const Eigen::MatrixXd &x = *found;
     if (!x.allFinite())
       return false;
@@ -463,5 +548,15 @@ namespace dem
           forces(row, s.all[p]) = per_unit[row];
       }
     return forces.allFinite();
+  }
+
+  void TangentSystem::visit_state(base::StateVisitor &visitor)
+  {
+    if (!by_iteration)
+      return;
+    Eigen::MatrixXd &starts = made().starts;
+    base::Column     flat(starts.data(), starts.data() + starts.size());
+    visitor.column("iteration_starts", flat);
+    std::copy_n(flat.data(), starts.size(), starts.data());
   }
 } // namespace dem

@@ -1,6 +1,9 @@
 #pragma once
 
+#include "base/state.h"
+#include "dem/linear/solver_method.h"
 #include "dem/network/loaded_network.h"
+#include "dem/ranks/ranks.h"
 
 #include <Eigen/Core>
 
@@ -9,9 +12,18 @@
 
 namespace dem
 {
+  /** How the linear systems of a path are solved. */
+  struct TangentSolver
+  {
+    /** Automatic: iterative where ranks share the work, or in space from 30 000 unknowns on, if neither body nor ties are there. */
+    SolverMethod method = SolverMethod::direct;
+    Ranks       *ranks  = nullptr; ///< that share an iteration, all of them solving the same; none: this process alone
+    double       negligible = 0;   ///< Unbalanced::residual that an iteration may leave
+  };
+
   /**
    * The linearised equilibrium of a loaded network with links of any stiffness (unsymmetric, indefinite): sparse LU (UMFPACK) of
-   * the particles' own motions, solved for what is unbalanced and for each load parameter.
+   * the particles' own motions, or an iteration (SharedTangent), for what is unbalanced and for each load parameter.
    *
    * To the diagonal 1e-9 of the undamaged one is added, so that particles that nothing holds do not stop it. This changes the
    * way to equilibrium, never the equilibrium: residuals are those of the links themselves.
@@ -19,9 +31,11 @@ namespace dem
   class TangentSystem
   {
   public:
-    /** @param loaded must outlive this object */
-    explicit TangentSystem(const LoadedNetwork &loaded);
+    /** @param loaded must outlive this object @throws base::InputError for an iteration where there are a body or ties */
+    explicit TangentSystem(const LoadedNetwork &loaded, const TangentSolver &solver = {});
     ~TangentSystem();
+
+    bool iterates() const { return by_iteration; }
 
     /** Length that turns rotations into displacements and moments into forces [m]. */
     double length_scale() const;
@@ -36,12 +50,12 @@ namespace dem
     /**
      * Free parameters move so that their forces vanish.
      * @param stiffness of each link, force and moment per slip and relative rotation [N/m], [N m]
-     * @return false if the linearisation is singular
+     * @return false if the linearisation is singular, or an iteration does not come to an end
      */
     bool solve(const std::vector<base::Matrix6> &stiffness, const Unbalanced &unbalanced, Answer &answer);
 
     /**
-     * The same, all parameters given: what balances the particles while the parameters change.
+     * The same, all parameters given and by a factor: what balances the particles while the parameters change.
      * @param change of each parameter; also in `correction`
      */
     bool solve_driven(const std::vector<base::Matrix6> &stiffness,
@@ -51,15 +65,20 @@ namespace dem
 
     /**
      * Stiffness of the whole network to its parameters, particles in equilibrium: change of each parameter's force per unit of each
-     * [J], without the addition to the diagonal. In the plane, and of parameters that move nothing, rows and columns are zero.
+     * [J], by a factor, without the addition to the diagonal. In the plane, and of parameters that move nothing, rows and columns are zero.
      */
     bool condense(const std::vector<base::Matrix6> &stiffness, base::Matrix6 &forces);
+
+    /** Where an iteration starts next; nothing for a factor. */
+    void visit_state(base::StateVisitor &visitor);
 
   private:
     struct Implementation;
     Implementation &made(); ///< laid out and ordered when first needed, by one thread after the other
 
     const LoadedNetwork            &loaded;
+    TangentSolver                   solver;
+    bool                            by_iteration;
     std::unique_ptr<Implementation> self;
   };
 } // namespace dem

@@ -1,5 +1,6 @@
 #include "apps/runs/quasi_static/lab_test.h"
 
+#include "apps/process/mpi_ranks.h"
 #include "apps/results/snapshots.h"
 #include "apps/results/warning.h"
 #include "dem/observation/path_output.h"
@@ -21,6 +22,12 @@ namespace apps
     {
       const Eigen::Vector3d edges = packing.periodic_cell.value_or(Eigen::Vector3d::Ones());
       return edges.array().isFinite().select(edges, 1.0);
+    }
+
+    dem::QuasiStaticParameters on_ranks(dem::QuasiStaticParameters steps, dem::Ranks *const ranks)
+    {
+      steps.ranks = ranks;
+      return steps;
     }
   } // namespace
 
@@ -91,6 +98,7 @@ namespace apps
                                          const JointedPacking   &jointed,
                                          const std::size_t       which)
     : classes(jointed.link_classes(model.mixed().link_classes(jointed.packing().material_names)))
+    , team(launched_team())
     , name(name_of(model.tests[which]))
     , axis(model.axis)
     , shape{model.dimension, 0, model.source.thickness}
@@ -99,7 +107,7 @@ namespace apps
     , radius(jointed.packing().radius)
     , cell(edges_of(jointed.packing()))
     , loaded(model.load(jointed))
-    , path(loaded, model.materials(jointed), model.steps(model.tests[which]))
+    , path(loaded, model.materials(jointed), on_ranks(model.steps(model.tests[which]), team.get()))
   {
     result.load          = model.tests[which];
     result.stop_fraction = model.steps(model.tests[which]).end_stress;

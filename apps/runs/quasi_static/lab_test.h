@@ -7,6 +7,7 @@
 #include "apps/specimens/link_classes.h"
 #include "apps/specimens/material_counts.h"
 #include "dem/observation/link_images.h"
+#include "dem/ranks/ranks.h"
 #include "postprocess/vtk/pvd.h"
 
 #include <filesystem>
@@ -95,6 +96,7 @@ namespace apps
     /** Of a periodic cell; empty for a specimen between grips. */
     std::vector<dem::LinkImage> images_of(const dem::LinkOutput &joined, const dem::ParticleOutput &state) const;
 
+    std::shared_ptr<dem::Ranks>               team; ///< that shares linear systems; null: this process alone
     std::string                               name;
     int                                       axis;
     std::optional<dem::GripLayers>            layers; ///< of a specimen between grips

@@ -34,6 +34,7 @@ namespace apps
     bool                      lateral_blocked = false, spin_blocked = false, grips_turn = false;
     Test                      tension{1e-5, 0.2, 1e-3}, compression{5e-5, 0.7, 5e-3};
     double                    growth_step = 0.2, tolerance = 1e-7, damping = 0.7;
+    dem::SolverMethod         linear_solver       = dem::SolverMethod::automatic;
     std::int64_t              snapshot_interval   = 20; ///< points; enough to see a crack grow
     double                    checkpoint_interval = 600;
 

@@ -72,7 +72,7 @@ namespace apps
         {"peridynamics", "a rod, plate or block of bonds over a horizon, at rest or in motion, that may break",
          make_scene<PeridynamicsModel>},
         {"quasi_static", "a bonded-particle specimen or periodic cell pulled and crushed without inertia",
-         make_scene<QuasiStaticModel>},
+         make_scene<QuasiStaticModel, true>},
         {"sequential", "an event by particles, handed over to a continuum that carries on",
          make_scene<SequentialModel>},
         {"structure", "particles, and a solid around them, along their equilibria without inertia",

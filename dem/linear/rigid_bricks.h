@@ -1,0 +1,60 @@
+#pragma once
+
+#include "dem/linear/block_matrix.h"
+#include "dem/linear/row_share.h"
+
+#include <Eigen/Core>
+
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+namespace dem
+{
+  /** The particles that rows of a system of blocks stand for, in the order of the rows. */
+  struct RowParticles
+  {
+    std::vector<Eigen::Vector3d> place; ///< [m]
+    std::vector<HeldMotions>     held;
+    double                       scale = 1; ///< that makes lengths of rotations [m]
+  };
+
+  /**
+   * A matrix of blocks seen by the rigid motions of its bricks: P^T K P, which is small and which every rank factorises by itself, so that all have
+   * the same bits. Held motions take no part.
+   */
+  class RigidBricks
+  {
+  public:
+    /** @param links ends as rows, of the whole system @param share must outlive this object */
+    RigidBricks(const RowParticles &rows, const LinkEnds &links, const RowShare &share);
+    ~RigidBricks();
+
+    /**
+     * @param matrix complete in the share's own rows
+     * @param diagonal of the whole system with undamaged links; a tiny part of it keeps motions regular that nothing resists
+     * @return false where it is singular
+     */
+    bool compute(const BlockMatrix &matrix, const Eigen::VectorXd &diagonal);
+
+    /** z += P (P^T K P)^-1 P^T r, of the share's own rows. */
+    void add_answer(const double *r, float *z);
+
+  private:
+    static constexpr int rows_per_brick = static_cast<int>(particles_per_brick);
+
+    struct Factor;
+
+    Block rigid(int row) const; ///< motions of a row's particle per rigid motion of its brick
+    void  condense(const BlockMatrix &matrix);
+
+    RowParticles                 particles;
+    const RowShare              &share;
+    std::vector<Eigen::Vector3d> middle; ///< of each brick [m]
+    BlockPattern                 pattern;
+    std::size_t                  widest = 0; ///< blocks of a row of bricks, at most
+    base::Column                 blocks;     ///< `widest` for each brick
+    std::unique_ptr<Factor>      factor;
+    base::Column                 forces; ///< of each brick
+  };
+} // namespace dem

@@ -1,0 +1,106 @@
+// Scenes of kind quasi_static on several ranks: every file but the summary has the same bytes as on one.
+#include "tests/apps/same_on_ranks.h"
+#include "tests/places.h"
+
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+#include <array>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+using namespace apps_tests;
+using Catch::Contains;
+
+namespace
+{
+  /** A specimen of 507 particles, two bricks, pulled until cracks open. */
+  std::string pulled(const std::vector<std::string> &changes = {})
+  {
+    std::vector<std::string> all = {"Loading/Tests=tension", "Solver/Linear solver=iterative",
+                                    "Output/Points per snapshot=4", "Specimen/Box size=0.02, 0.014, 0.02",
+                                    "Loading/Tension/Stop strain=1.5e-4"};
+    all.insert(all.end(), changes.begin(), changes.end());
+    return run_of("quasi_static.prm", all);
+  }
+
+  nlohmann::json figures_in(const std::filesystem::path &folder)
+  {
+    return nlohmann::json::parse(content_of(folder / "summary.json"))["figures"];
+  }
+
+  /** Refused on two ranks by one message with status 2; nothing is computed and no folder appears. */
+  void refused_on_ranks(const std::string &words, const std::string &message)
+  {
+    const ScratchFolder folder;
+    CHECK(shell_in(folder, program_on(2, 1) + words + " -o results") != 0);
+    const std::string said = content_of(folder / "said");
+    INFO(said);
+    CHECK(occurrences("breccia: ", said) == 1);
+    CHECK(occurrences(message, said) == 1);
+    CHECK_FALSE(std::filesystem::exists(folder / "results"));
+  }
+} // namespace
+
+TEST_CASE("A quasi-static path of tension has the same results on any number of ranks and threads",
+          "[apps][mpi][ranks][slow]")
+{
+  if (places::skipped_without_mpirun())
+    return;
+  const ScratchFolder folder;
+  REQUIRE(shell_in(folder, program_on(0, 1) + pulled() + " -o one") == 0);
+  for (const auto &[ranks, threads] : std::vector<std::array<int, 2>>{{0, 2}, {2, 1}, {2, 2}, {3, 1}, {3, 2}})
+    {
+      const std::string name   = std::to_string(ranks) + "_ranks_" + std::to_string(threads);
+      const int         status = shell_in(folder, program_on(ranks, threads) + pulled() + " -o " + name);
+      INFO(name << ": " << content_of(folder / "said"));
+      REQUIRE(status == 0);
+      CHECK(differences(folder / "one", folder / name) == std::vector<std::string>());
+      CHECK(figures_in(folder / name) == figures_in(folder / "one"));
+    }
+}
+
+TEST_CASE("A quasi-static cell has the same results on one rank and on three, by the automatic solver",
+          "[apps][mpi][ranks][slow]")
+{
+  if (places::skipped_without_mpirun())
+    return;
+  const ScratchFolder      folder;
+  std::vector<std::string> changes = {"Specimen/Body=cell", "Loading/Tension/Stop fraction=0.9"};
+  REQUIRE(shell_in(folder, program_on(0, 1) + pulled(changes) + " -o one") == 0);
+  changes.push_back("Solver/Linear solver=automatic");
+  REQUIRE(shell_in(folder, program_on(3, 1) + pulled(changes) + " -o three") == 0);
+  CHECK(differences(folder / "one", folder / "three") == std::vector<std::string>());
+}
+
+TEST_CASE("A quasi-static run that was interrupted on three ranks goes on on one, and on five, to the same results",
+          "[apps][mpi][ranks][slow][S13]")
+{
+  if (places::skipped_without_mpirun())
+    return;
+  goes_on_on_others(pulled({"Output/Checkpoint interval=0.01"}));
+}
+
+TEST_CASE("What needs a factor is refused under mpirun in one message", "[apps][mpi][ranks][S14]")
+{
+  if (places::skipped_without_mpirun())
+    return;
+  refused_on_ranks(pulled({"Solver/Linear solver=direct"}),
+                   "Solver/Linear solver = direct: runs in one process, and mpirun has started 2. Choose automatic or "
+                   "iterative, or use --threads.");
+  refused_on_ranks(
+    pulled({"Solver/Linear solver=automatic", "Loading/Lateral motion blocked=true", "Loading/Grips turn=true"}),
+    "Loading/Grips turn = true: they need the direct solver, which runs in one process, and mpirun has started 2.");
+  refused_on_ranks(run_of("crack_promoted.prm"), "Kind = structure: runs in one process, and mpirun has started 2.");
+}
+
+TEST_CASE("The iterative solver refuses grips that turn", "[apps][S14]")
+{
+  const ScratchFolder folder;
+  const Outcome       outcome = run(folder.path(), {"check", places::sources() + "/apps/scenes/quasi_static.prm", "-s",
+                                                    "Loading/Lateral motion blocked=true", "-s", "Loading/Grips turn=true",
+                                                    "-s", "Solver/Linear solver=iterative"});
+  CHECK(outcome.status == 2);
+  CHECK_THAT(outcome.err, Contains("Solver/Linear solver") && Contains("knows nothing of grips that turn"));
+}

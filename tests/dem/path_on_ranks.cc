@@ -1,0 +1,254 @@
+// Quasi-static paths whose linear systems are solved by iteration: against factors, and by several ranks with the same bits.
+#include "dem/network/turning_grips.h"
+#include "memory_state.h"
+#include "rank_threads.h"
+#include "tests/dem/quasi_static_fixture.h"
+
+#include <catch2/catch.hpp>
+
+#include <omp.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <optional>
+#include <string>
+#include <vector>
+
+using namespace quasi_static_fixture;
+
+namespace
+{
+  const dem::CpmParameters law = concrete();
+
+  dem::Packing spheres(const std::size_t count) { return millimetres(random_spheres(count, 5)); }
+
+  dem::LoadedNetwork cell_of(const std::size_t count)
+  {
+    return dem::load_cell(network_of(spheres(count), 1.5, law), 0, true);
+  }
+
+  dem::LoadedNetwork box_of(const std::size_t count, const bool rough = false)
+  {
+    dem::Packing packing = spheres(count);
+    packing.periodic_cell.reset();
+    dem::GripPair grips;
+    grips.lateral_blocked = grips.spin_blocked = rough;
+    grips.layers                               = cluster_grips(packing, 2, 2.5e-3);
+    return dem::load_grips(network_of(packing, 1.5, law), grips);
+  }
+
+  dem::QuasiStaticParameters pulled(const double end_strain, const dem::SolverMethod method)
+  {
+    dem::QuasiStaticParameters p = steps(end_strain);
+    p.solver                     = method;
+    return p;
+  }
+
+  /** A few points, in the last of which links are damaged. */
+  dem::QuasiStaticParameters shortly_pulled()
+  {
+    dem::QuasiStaticParameters p = pulled(1.2e-4, dem::SolverMethod::iterative);
+    p.strain_step                = 3e-5;
+    return p;
+  }
+
+  /** Links that have lost more than half of their stiffness, in the order in which they did. */
+  struct Breaks
+  {
+    std::vector<std::size_t> order;
+    std::vector<char>        lost;
+
+    void note(const dem::DamagingLinks &links)
+    {
+      lost.resize(links.size(), 0);
+      for (std::size_t i = 0; i < links.size(); ++i)
+        if (!lost[i] && links.damage_of(i).stiffness > 0.5)
+          {
+            lost[i] = 1;
+            order.push_back(i);
+          }
+    }
+  };
+
+  struct Course
+  {
+    std::vector<dem::QuasiStaticPoint> points;
+    Breaks                             breaks;
+    dem::LoadedMotion                  motion;
+  };
+
+  Course course_of(const dem::LoadedNetwork &loaded, const dem::QuasiStaticParameters &p)
+  {
+    dem::QuasiStaticPath path(loaded, law, p);
+    Course               course;
+    while (!path.finished())
+      {
+        path.advance();
+        course.breaks.note(path.links());
+      }
+    course.points = path.points();
+    course.motion = path.motion();
+    return course;
+  }
+
+  bool same_bits(const Course &a, const Course &b)
+  {
+    const auto same = [](const double *x, const double *y, const std::size_t n) {
+      return std::memcmp(x, y, n * sizeof(double)) == 0;
+    };
+    bool all = a.points.size() == b.points.size() && same(a.motion.particles.data(), b.motion.particles.data(),
+                                                          static_cast<std::size_t>(a.motion.particles.size()));
+    for (std::size_t i = 0; all && i < a.points.size(); ++i)
+      all = same(a.points[i].strain.data(), b.points[i].strain.data(), 6) &&
+            same(a.points[i].stress.data(), b.points[i].stress.data(), 6) &&
+            a.points[i].iterations == b.points[i].iterations && a.points[i].damage == b.points[i].damage;
+    return all;
+  }
+
+  void same_on_ranks(const dem::LoadedNetwork &loaded, const dem::QuasiStaticParameters &p)
+  {
+    omp_set_num_threads(1);
+    const Course alone = course_of(loaded, p);
+    REQUIRE(alone.points.size() > 4);
+    REQUIRE(alone.points.back().mean_damage > 0);
+    for (const std::size_t ranks : {1, 2, 3, 5}) // three bricks
+      {
+        std::vector<char> same(ranks, 0);
+        rank_threads::run(ranks, [&](const std::shared_ptr<dem::Ranks> &team) {
+          omp_set_num_threads(team->rank() == 0 ? 2 : 1);
+          dem::QuasiStaticParameters shared = p;
+          shared.ranks                      = team.get();
+          same[team->rank()]                = same_bits(course_of(loaded, shared), alone);
+        });
+        INFO(ranks << " ranks");
+        CHECK(std::count(same.begin(), same.end(), 1) == static_cast<std::ptrdiff_t>(ranks));
+      }
+  }
+} // namespace
+
+TEST_CASE("an iterated path of tension has the forces and the breaks of one by factors", "[dem][statics][ranks][slow]")
+{
+  omp_set_num_threads(1);
+  const bool               cell    = GENERATE(false, true);
+  const dem::LoadedNetwork loaded  = cell ? cell_of(150) : box_of(300);
+  const Course             factors = course_of(loaded, pulled(3e-4, dem::SolverMethod::direct));
+  const Course             course  = course_of(loaded, pulled(3e-4, dem::SolverMethod::iterative));
+  REQUIRE(factors.breaks.order.size() > 10);
+  CHECK(course.breaks.order == factors.breaks.order);
+  REQUIRE(course.points.size() == factors.points.size());
+  const double borne = peak(factors.points, loaded.driven);
+  for (std::size_t i = 0; i < course.points.size(); ++i)
+    {
+      INFO("point " << i);
+      CHECK(course.points[i].control == factors.points[i].control);
+      const double difference = (course.points[i].stress - factors.points[i].stress).norm();
+      CHECK(difference < 1e-5 * borne); // a hundred times what residuals may be: softening enlarges it
+    }
+}
+
+TEST_CASE("an iterated path of a chain with a weak link snaps back along the closed form", "[dem][statics][ranks]")
+{
+  // As of factors (statics_quasi_static.cc): seven links and a weak one of 0.8 times their section, softening strain 3 eps_0.
+  const dem::CpmParameters brittle = concrete(3);
+  dem::LoadedNetwork       loaded  = row(9, brittle);
+  dem::ElasticLink        &weak    = loaded.network.links[3];
+  weak.area *= 0.8;
+  weak.stiffness *= 0.8;
+  dem::QuasiStaticParameters p = steps(10e-4);
+  p.tolerance                  = 1e-10;
+  p.growth_step                = 0.05;
+  p.end_stress                 = 0.1;
+  p.solver                     = dem::SolverMethod::iterative;
+  const auto   path            = follow(loaded, brittle, p);
+  const double section = loaded.volume / 16e-3, area = M_PI * 1e-6, onset = brittle.limit_elastic_strain;
+  double       least = 1; // strain past the peak
+  for (const auto &point : path)
+    {
+      const double stress = point.stress[0] * section / area; // of the seven
+      const double kappa  = point.mean_damage > 0 ?
+                              onset - 3 * onset * std::log(stress / (0.8 * brittle.normal_modulus * onset)) :
+                              stress / (0.8 * brittle.normal_modulus);
+      CHECK(point.strain[0] == Approx((kappa + 7 * stress / brittle.normal_modulus) / 8).epsilon(1e-7).margin(1e-12));
+      CHECK(point.control != dem::StepControl::relaxed);
+      least = point.mean_damage > 0 ? std::min(least, point.strain[0]) : 1.0;
+    }
+  CHECK(path.back().stress[0] < 0.15 * peak(path));
+  CHECK(least == Approx(0.734e-4).epsilon(0.001)); // it has come back from 0.825e-4
+}
+
+TEST_CASE("an iterated path on ranks: every point has the bits of one", "[dem][statics][ranks][slow]")
+{
+  const dem::QuasiStaticParameters p = shortly_pulled();
+  SECTION("a specimen between grips that leave its particles free sideways") { same_on_ranks(box_of(600), p); }
+  SECTION("between rough grips") { same_on_ranks(box_of(600, true), p); }
+  SECTION("a cell, all its strains moving") { same_on_ranks(cell_of(600), p); }
+}
+
+TEST_CASE("an iterated path goes on after a restart on other ranks with the bits of one without",
+          "[dem][statics][ranks][slow][S13]")
+{
+  const dem::LoadedNetwork         loaded = box_of(600);
+  const dem::QuasiStaticParameters p      = shortly_pulled();
+  omp_set_num_threads(1);
+  const Course alone = course_of(loaded, p);
+  const auto   stop  = alone.points.size() / 2;
+  MemoryState  half;
+  rank_threads::run(3, [&](const std::shared_ptr<dem::Ranks> &team) {
+    omp_set_num_threads(1);
+    dem::QuasiStaticParameters shared = p;
+    shared.ranks                      = team.get();
+    dem::QuasiStaticPath path(loaded, law, shared);
+    while (path.points().size() < stop)
+      path.advance();
+    if (team->rank() == 0)
+      {
+        MemoryState::Writer writer(half);
+        path.visit_state(writer);
+      }
+  });
+  for (const std::size_t ranks : {1, 2})
+    {
+      std::vector<char> same(ranks, 0);
+      rank_threads::run(ranks, [&](const std::shared_ptr<dem::Ranks> &team) {
+        omp_set_num_threads(1);
+        dem::QuasiStaticParameters shared = p;
+        shared.ranks                      = team.get();
+        dem::QuasiStaticPath path(loaded, law, shared);
+        MemoryState::Reader  reader(half);
+        path.visit_state(reader);
+        while (!path.finished())
+          path.advance();
+        same[team->rank()] = same_bits({path.points(), {}, path.motion()}, alone);
+      });
+      CHECK(std::count(same.begin(), same.end(), 1) == static_cast<std::ptrdiff_t>(ranks));
+    }
+}
+
+TEST_CASE("an iterated path of particles that nothing holds, and of more ranks than bricks",
+          "[dem][statics][ranks][slow]")
+{
+  dem::LoadedNetwork loaded = box_of(300); // two bricks
+  const auto         ends   = [](const dem::ElasticLink &l) { return l.first == 150 || l.second == 150; };
+  for (std::size_t l = loaded.network.links.size(); l-- > 0;)
+    if (ends(loaded.network.links[l]))
+      {
+        loaded.network.links.erase(loaded.network.links.begin() + static_cast<std::ptrdiff_t>(l));
+        loaded.load_slip.erase(loaded.load_slip.begin() + static_cast<std::ptrdiff_t>(l));
+      }
+  same_on_ranks(loaded, shortly_pulled());
+}
+
+TEST_CASE("an iteration refuses ties, and the automatic solver takes a factor for them", "[dem][statics][ranks][S14]")
+{
+  dem::Packing packing = spheres(64);
+  packing.periodic_cell.reset();
+  dem::GripPair grips;
+  grips.lateral_blocked     = true;
+  grips.layers              = cluster_grips(packing, 2, 2.5e-3);
+  dem::LoadedNetwork loaded = dem::load_grips(network_of(packing, 1.5, law), grips);
+  dem::let_grips_turn(loaded, grips);
+  CHECK_THROWS_WITH(dem::QuasiStaticPath(loaded, law, pulled(1e-4, dem::SolverMethod::iterative)),
+                    Catch::Contains("ties nor a solid. Choose the direct one"));
+  CHECK_FALSE(dem::TangentSystem(loaded, {dem::SolverMethod::automatic}).iterates());
+}
