@@ -63,8 +63,8 @@ namespace apps
         return "";
       std::string md =
         fmt::format("\nAll of particles, beside the same particles with elements around them:\n\n| Beam | D "
-                    "[mm] | Strength [MPa] | Particles | Cost [s] | With elements | {} |\n"
-                    "|---|---|---|---|---|---|---|\n",
+                    "[mm] | Strength [MPa] | Particles | Cost [s] | With elements | {0} | the model, {0} |\n"
+                    "|---|---|---|---|---|---|---|---|\n",
                     answer.laws.back().name);
       for (const BrokenBeam &b : alone)
         {

@@ -15,6 +15,7 @@
 #include <cmath>
 #include <filesystem>
 #include <random>
+#include <sstream>
 #include <vector>
 
 using namespace apps_tests;
@@ -311,7 +312,7 @@ TEST_CASE("parts of bench size-effect share its folder, and the last of them wri
                                        "--geometries",
                                        "1",
                                        "--particles",
-                                       "0",
+                                       "1",
                                        "-o",
                                        "bench"};
   const auto                     part = [&](const std::string &which) {
@@ -322,11 +323,20 @@ TEST_CASE("parts of bench size-effect share its folder, and the last of them wri
   const Outcome first = part("1/2");
   INFO(first.err);
   REQUIRE(first.status == 0);
-  CHECK_THAT(first.out, Contains("1 of 2 beams are there"));
+  CHECK_THAT(first.out, Contains("2 of 4 beams are there"));
   CHECK_FALSE(std::filesystem::exists(folder / "bench/size_effect.csv"));
   REQUIRE(part("2/2").status == 0);
   const std::string table = content_of(folder / "bench/size_effect.csv");
-  CHECK(std::count(table.begin(), table.end(), '\n') == 3);
+  CHECK(std::count(table.begin(), table.end(), '\n') == 5);
+  std::istringstream page(content_of(folder / "bench/size_effect.md"));
+  std::ptrdiff_t     cells = 0; // of the table that a line belongs to
+  for (std::string line; std::getline(page, line);)
+    {
+      const std::ptrdiff_t bars = std::count(line.begin(), line.end(), '|');
+      INFO(line);
+      CHECK((cells == 0 || bars == 0 || bars == cells));
+      cells = bars;
+    }
   CHECK(part("3/2").status == 2);
 }
 
