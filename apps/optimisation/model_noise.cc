@@ -214,7 +214,8 @@ namespace optimisation
                    ModelAtEnd                &found)
     {
       constexpr int   most_repeats = 4;
-      ModelAtEnd      of_search; // its derivatives
+      Eigen::MatrixXd jacobian_of_search;
+      double          column_of_search = 0;
       Eigen::VectorXd place = found.place, residuals = first.smooth_without_middle();
       append(first.noise(), found);
       for (int round = 0; round < most_repeats; ++round)
@@ -230,7 +231,10 @@ namespace optimisation
           found.jacobian  = *jacobian;
           found.of_column = found.noise.colwise().squaredNorm().mean() / 2; // of a difference over two steps
           if (round == 0)
-            of_search = found;
+            {
+              jacobian_of_search = found.jacobian;
+              column_of_search   = found.of_column;
+            }
           append_all(noise_by_variable(wide, evaluated, place, root_mean_square(first.noise())), found);
           if (round == 0 && options.goes_on && !options.goes_on(as_smoothed(found, evaluated.evaluations() - 1)))
             return;
@@ -256,9 +260,10 @@ namespace optimisation
           found.share     = Line::share;
           return;
         }
-      found.jacobian  = of_search.jacobian;
-      found.of_column = of_search.of_column;
-      found.cut_short = false; // the search's answer, with derivatives of its own
+      found.leads_astray = true; // so it is the search's answer, with derivatives of its own
+      found.jacobian     = jacobian_of_search;
+      found.of_column    = column_of_search;
+      found.cut_short    = false;
     }
   } // namespace
 

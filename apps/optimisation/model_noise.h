@@ -39,6 +39,7 @@ namespace optimisation
     double of_column = 0; ///< expected squared norm of the noise in a column of the Jacobian, in units of wide steps
     double largest_noise = 0;     ///< root mean square over the residuals, in units of the deviation
     bool   cut_short     = false; ///< the last step was so long that derivatives should have been taken anew
+    bool   leads_astray  = false; ///< the derivatives over wide steps lead to an answer worse than noise explains
     int    evaluations = 0, failed = 0;
   };
 
@@ -47,7 +48,7 @@ namespace optimisation
    * variables at once, vanishes for a smooth model but for its fourth derivative. Where it shows noise that matters, the place is one of many
    * where the noise happens to make squares small: two steps of Gauss and Newton lead from there, by derivatives over wide steps and
    * residuals smoothed along such lines, none of which the search has seen. Derivatives are taken anew where a step was longer than half a wide
-   * one and than a standard error.
+   * one and than a standard error. An answer that is worse than the search's by more than the noise explains is not taken.
    * @param options those of the search @param fit its end @throws base::InputError as least_squares()
    */
   ModelAtEnd model_at_end(const LeastSquaresProblem &problem,

@@ -262,7 +262,8 @@ namespace apps
           "bars and bands contain that, and the answer is where {}.",
           found.noise,
           found.smoothed ? "many runs together have it" :
-                           "the search ended: derivatives over wide steps lead to a worse one"));
+          found.astray   ? "the search ended: derivatives over wide steps lead to a worse one" :
+                           "the search ended"));
       if (found.cut_short)
         found.warnings.push_back(
           "As many sets of constants were run as Search/Most evaluations says, and the answer is farther from where "
@@ -335,6 +336,7 @@ namespace apps
     found.noise        = end.largest_noise;
     found.noisy        = end.noise.cols() > 0;
     found.smoothed     = end.share < 1;
+    found.astray       = end.leads_astray;
     found.cut_short    = end.cut_short;
     found.ending       = fit.ending;
     put_uncertainty(file, problem, sure, end, found);

@@ -39,6 +39,7 @@ namespace apps
     double            noise     = 0;     ///< of runs between neighbouring constants, over the deviation of a residual
     bool              noisy     = false; ///< so much that bars, bands and the answer take account of it
     bool              smoothed  = false; ///< the answer is not one run's, but of many together
+    bool              astray    = false; ///< many runs together lead to a worse answer than the search
     bool              cut_short = false; ///< its last step took more sets of constants than were left
     std::string       ending;
     int               cheap_evaluations = 0; ///< of the cheap model, before

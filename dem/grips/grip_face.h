@@ -6,7 +6,7 @@
 
 namespace dem
 {
-  /** The two axes across another one, in the order in which arms of a GripFace have them. */
+  /** The two axes across another one, in the order of arms_in_face(). */
   inline int across(const int axis, const int which) { return (axis + 1 + which) % 3; }
 
   /**

@@ -1,10 +1,6 @@
 #include "dem/linear/rigid_bricks.h"
 
-#include "base/solver_turns.h"
 #include "dem/network/slip_matrices.h"
-
-#include <Eigen/SparseCore>
-#include <Eigen/UmfPackSupport>
 
 #include <algorithm>
 
@@ -35,25 +31,11 @@ namespace dem
     }
   } // namespace
 
-  /** Of the motions of all bricks; ordered when first needed. */
-  struct RigidBricks::Factor
-  {
-    using Sparse = Eigen::SparseMatrix<double>;
-
-    bool
-    factorize(const BlockPattern &pattern, const base::Column &blocks, std::size_t widest, const Eigen::VectorXd &kept);
-
-    Sparse                   matrix;
-    Eigen::UmfPackLU<Sparse> lu;
-    bool                     ordered = false;
-  };
-
   RigidBricks::RigidBricks(const RowParticles &rows, const LinkEnds &links, const RowShare &shared)
     : particles(rows)
     , share(shared)
     , middle(static_cast<std::size_t>(number_of_bricks(rows.place.size())), Eigen::Vector3d::Zero())
     , pattern(number_of_bricks(rows.place.size()), joined_bricks(links))
-    , factor(std::make_unique<Factor>())
   {
     std::vector<double> members(middle.size(), 0.0);
     for (std::size_t row = 0; row < particles.place.size(); ++row)
@@ -70,8 +52,6 @@ namespace dem
     blocks.resize(middle.size() * widest * motions * motions);
     forces.resize(middle.size() * motions);
   }
-
-  RigidBricks::~RigidBricks() = default;
 
   Block RigidBricks::rigid(const int row) const
   {
@@ -118,13 +98,10 @@ namespace dem
         rigid(row).cwiseAbs2().transpose() * diagonal.segment<motions>(motions * row);
     const double mean = kept.mean();
     kept              = (kept.array() > 1e-12 * mean).select(kept_regular_by * kept, mean).eval();
-    return factor->factorize(pattern, blocks, widest, kept);
+    return factor.factorize(matrix_of_bricks(kept), false);
   }
 
-  bool RigidBricks::Factor::factorize(const BlockPattern    &pattern,
-                                      const base::Column    &blocks,
-                                      const std::size_t      widest,
-                                      const Eigen::VectorXd &kept)
+  UnsymmetricFactor::Sparse RigidBricks::matrix_of_bricks(const Eigen::VectorXd &kept) const
   {
     std::vector<Eigen::Triplet<double>> entries;
     for (int brick = 0; brick < pattern.rows(); ++brick)
@@ -139,19 +116,9 @@ namespace dem
         }
     for (int i = 0; i < pattern.size(); ++i)
       entries.emplace_back(i, i, kept[i]);
-    matrix.resize(pattern.size(), pattern.size());
+    UnsymmetricFactor::Sparse matrix(pattern.size(), pattern.size());
     matrix.setFromTriplets(entries.begin(), entries.end());
-    if (!ordered)
-      {
-        const auto turn                       = base::ordering_turn();
-        lu.umfpackControl()[UMFPACK_STRATEGY] = UMFPACK_STRATEGY_SYMMETRIC;
-        lu.umfpackControl()[UMFPACK_IRSTEP]   = 0; // the iteration corrects it
-        lu.analyzePattern(matrix);
-        ordered = true;
-      }
-    const auto turn = base::dense_kernels_turn();
-    lu.factorize(matrix);
-    return lu.info() == Eigen::Success;
+    return matrix;
   }
 
   void RigidBricks::add_answer(const double *const r, float *const z)
@@ -167,11 +134,7 @@ namespace dem
         std::copy_n(sum.data(), motions, &forces[static_cast<std::size_t>(motions) * brick]);
       }
     share.gather(forces, rows_per_brick, motions);
-    Eigen::VectorXd answer;
-    {
-      const auto turn = base::dense_kernels_turn();
-      answer          = factor->lu.solve(Eigen::Map<const Eigen::VectorXd>(forces.data(), pattern.size()));
-    }
+    const Eigen::VectorXd answer = factor.solve(Eigen::Map<const Eigen::VectorXd>(forces.data(), pattern.size()));
 #pragma omp parallel for schedule(static)
     for (int row = first; row < end; ++row)
       {

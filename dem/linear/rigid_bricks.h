@@ -2,11 +2,11 @@
 
 #include "dem/linear/block_matrix.h"
 #include "dem/linear/row_share.h"
+#include "dem/linear/unsymmetric_factor.h"
 
 #include <Eigen/Core>
 
 #include <cstddef>
-#include <memory>
 #include <vector>
 
 namespace dem
@@ -28,7 +28,6 @@ namespace dem
   public:
     /** @param links ends as rows, of the whole system @param share must outlive this object */
     RigidBricks(const RowParticles &rows, const LinkEnds &links, const RowShare &share);
-    ~RigidBricks();
 
     /**
      * @param matrix complete in the share's own rows
@@ -43,10 +42,10 @@ namespace dem
   private:
     static constexpr int rows_per_brick = static_cast<int>(particles_per_brick);
 
-    struct Factor;
-
     Block rigid(int row) const; ///< motions of a row's particle per rigid motion of its brick
     void  condense(const BlockMatrix &matrix);
+    /** @param kept added to its diagonal */
+    UnsymmetricFactor::Sparse matrix_of_bricks(const Eigen::VectorXd &kept) const;
 
     RowParticles                 particles;
     const RowShare              &share;
@@ -54,7 +53,7 @@ namespace dem
     BlockPattern                 pattern;
     std::size_t                  widest = 0; ///< blocks of a row of bricks, at most
     base::Column                 blocks;     ///< `widest` for each brick
-    std::unique_ptr<Factor>      factor;
+    UnsymmetricFactor            factor;
     base::Column                 forces; ///< of each brick
   };
 } // namespace dem

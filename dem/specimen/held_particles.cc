@@ -19,6 +19,17 @@ namespace dem
     return c < 3 ? grip.velocity[c] : grip.spin[c - 3];
   }
 
+  std::array<double, 6> HeldParticles::HeldGrip::turning_rates(const std::size_t member) const
+  {
+    std::array<double, 6> all = face->rates(member);
+    for (int c = 0; c < 3; ++c)
+      {
+        all[c] += grip.velocity[c];
+        all[3 + c] += grip.spin[c];
+      }
+    return all;
+  }
+
   double HeldParticles::HeldGrip::power() const
   {
     if (!own_rates.empty())
@@ -107,11 +118,8 @@ namespace dem
       {
         base::Column all;
         for (std::size_t k = 0; k < held.members.size(); ++k)
-          {
-            const auto turn = held.face->rates(k);
-            for (int c = 0; c < 6; ++c)
-              all.push_back(held.rate(k, c) + turn[c]);
-          }
+          for (const double rate : held.turning_rates(k))
+            all.push_back(rate);
         held.own_rates = std::move(all);
       }
     for (std::size_t k = 0; k < held.members.size(); ++k)
@@ -169,12 +177,11 @@ namespace dem
         held.face->push(held.members, particles, time);
         for (std::size_t k = 0; k < held.members.size(); ++k)
           {
-            const auto            i    = static_cast<std::size_t>(held.members[k]);
-            std::array<double, 6> now  = {};
-            const auto            turn = held.face->rates(k);
+            const auto            i   = static_cast<std::size_t>(held.members[k]);
+            std::array<double, 6> now = held.turning_rates(k);
             for (int c = 0; c < 6; ++c)
-              now[c] = !held.grip.prescribed[c] ? particles.velocity[record_size * i + c] :
-                                                  turn[c] + (c < 3 ? held.grip.velocity[c] : held.grip.spin[c - 3]);
+              if (!held.grip.prescribed[c])
+                now[c] = particles.velocity[record_size * i + c];
             rates.emplace_back(i, now);
           }
       }

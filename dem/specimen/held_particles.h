@@ -96,7 +96,9 @@ namespace dem
       std::optional<TurningFace> face;
 
       double rate(std::size_t member, int component) const;
-      double power() const; ///< that the grip puts into the specimen [W]
+      /** Of a member of a face that turns: six rates with its turn. */
+      std::array<double, 6> turning_rates(std::size_t member) const;
+      double                power() const; ///< that the grip puts into the specimen [W]
     };
 
     static void set_rate(HeldGrip &held, std::size_t member, int component, Particles &particles, EnergyFlow *work);

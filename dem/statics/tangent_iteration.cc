@@ -9,7 +9,7 @@ namespace dem
   namespace
   {
     constexpr double kept_regular_by = 1e-9; ///< of the factor
-    constexpr int    most_iterations   = 240; ///< as much work as half a direct factor in cells of a thousand particles
+    constexpr int    most_iterations = 240;  ///< as much work as half a direct factor in cells of a thousand particles
 
     std::vector<std::pair<int, int>> joined_rows(const ElasticNetwork &network, const std::vector<int> &row_of)
     {

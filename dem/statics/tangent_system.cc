@@ -2,78 +2,30 @@
 
 #include "base/errors.h"
 #include "base/solver_turns.h"
+#include "dem/linear/unsymmetric_factor.h"
 #include "dem/network/slip_matrices.h"
 #include "dem/statics/changed_links.h"
 #include "dem/statics/shared_tangent.h"
 #include "dem/statics/surrounded_system.h"
+#include "dem/statics/tangent_matrix.h"
 
-#include <Eigen/Geometry>
 #include <Eigen/LU>
-#include <Eigen/SparseCore>
-#include <Eigen/UmfPackSupport>
 
 #include <algorithm>
 #include <cmath>
-#include <map>
-#include <numeric>
 #include <optional>
-#include <set>
 #include <utility>
 
 namespace dem
 {
   namespace
   {
-    using Sparse = Eigen::SparseMatrix<double>;
-
     constexpr double added_to_diagonal = 1e-9;
     constexpr double iterated_to       = 1e-6; ///< residual of an iteration, over the forces
-
-    /** A sparse factor, which is ordered when first needed. */
-    class Factor
-    {
-    public:
-      bool factorize(const SurroundedSystem &around, const Sparse &matrix)
-      {
-        if (!ordered)
-          {
-            const auto turn                       = base::ordering_turn();
-            lu.umfpackControl()[UMFPACK_ORDERING] = UMFPACK_ORDERING_METIS;
-            lu.umfpackControl()[UMFPACK_STRATEGY] =
-              around.has_multipliers() ? UMFPACK_STRATEGY_AUTO : UMFPACK_STRATEGY_SYMMETRIC;
-            lu.umfpackControl()[UMFPACK_IRSTEP] = 0; // what a solution leaves is in the next residual
-            lu.analyzePattern(matrix);
-            ordered = true;
-          }
-        const auto turn = base::dense_kernels_turn();
-        lu.factorize(matrix);
-        return lu.info() == Eigen::Success;
-      }
-
-      Eigen::MatrixXd solve(const Eigen::MatrixXd &right) const { return lu.solve(right); }
-
-      /** What it took to factorise. */
-      double operations() const { return lu.operations(); }
-
-    private:
-      struct Lu : Eigen::UmfPackLU<Sparse>
-      {
-        double operations() const { return m_umfpackInfo[UMFPACK_FLOPS]; }
-      };
-
-      Lu   lu;
-      bool ordered = false;
-    };
-  } // namespace
+  }                                            // namespace
 
   struct TangentSystem::Implementation
   {
-    /** Where the four blocks of a link begin in the columns of its ends. */
-    struct BlockPlaces
-    {
-      int JJ, JK, KJ, KK; ///< XY: rows of X in the columns of Y
-    };
-
     explicit Implementation(const LoadedNetwork &l)
       : loaded(l)
       , scale(mean_arm(l.network))
@@ -94,14 +46,13 @@ namespace dem
     {
       if (around)
         return;
-      lay_out();
-      weak_diagonal = undamaged_diagonal();
-      around        = std::make_unique<SurroundedSystem>(loaded, unknown, count, weak_diagonal.mean());
+      matrix.emplace(loaded, unknown, first, scale, added_to_diagonal);
+      around.emplace(loaded, unknown, count, matrix->undamaged_diagonal().mean());
     }
 
     Eigen::MatrixXd solve(const Eigen::MatrixXd &right) { return solve(factor, right); }
 
-    Eigen::MatrixXd solve(const Factor &by, const Eigen::MatrixXd &right)
+    Eigen::MatrixXd solve(const UnsymmetricFactor &by, const Eigen::MatrixXd &right)
     {
       return count == 0 ? right : Eigen::MatrixXd(around->motions_of(by.solve(around->forces(right))));
     }
@@ -110,9 +61,8 @@ namespace dem
     void factorize_undamaged()
     {
       prepare_matrix();
-      const std::vector<base::Matrix6> stiffness = undamaged();
-      assemble(stiffness);
-      if (!undamaged_factor.factorize(*around, around->whole(matrix)))
+      const std::vector<base::Matrix6> stiffness = undamaged_stiffnesses(loaded);
+      if (!factorize_by(undamaged_factor, stiffness))
         return;
       const Eigen::MatrixXd loads = -load_columns(stiffness, moving);
       // Beyond, the dense system takes longer than a new factor: as many operations as its cube, and slower ones.
@@ -222,99 +172,18 @@ namespace dem
       first.push_back(count);
     }
 
-    /** Pattern of the matrix, block by block: every free motion of a particle with every one of its neighbours. */
-    void lay_out()
-    {
-      std::vector<std::set<std::int32_t>> neighbours(loaded.held.size());
-      for (std::size_t i = 0; i < neighbours.size(); ++i)
-        neighbours[i].insert(static_cast<std::int32_t>(i));
-      for (const ElasticLink &l : loaded.network.links)
-        {
-          neighbours[l.first].insert(l.second);
-          neighbours[l.second].insert(l.first);
-        }
-      std::vector<std::map<std::int32_t, int>> begin(neighbours.size());
-      std::vector<int>                         outer{0}, inner;
-      for (std::size_t i = 0; i < neighbours.size(); ++i)
-        for (int c = first[i]; c < first[i + 1]; ++c)
-          {
-            for (const std::int32_t j : neighbours[i])
-              {
-                begin[i][j] = static_cast<int>(inner.size()) - outer.back();
-                for (int d = first[j]; d < first[j + 1]; ++d)
-                  inner.push_back(d);
-              }
-            outer.push_back(static_cast<int>(inner.size()));
-          }
-      const std::vector<double> zeros(inner.size(), 0.0);
-      matrix             = Eigen::Map<const Sparse>(count, count, static_cast<Eigen::Index>(inner.size()), outer.data(),
-                                        inner.data(), zeros.data());
-      const auto rows_in = [&](const std::int32_t rows, const std::int32_t columns) {
-        const auto found = begin[columns].find(rows);
-        return found == begin[columns].end() ? 0 : found->second; // none: the columns' particle is held altogether
-      };
-      for (const ElasticLink &l : loaded.network.links)
-        places.push_back({rows_in(l.first, l.first), rows_in(l.first, l.second), rows_in(l.second, l.first),
-                          rows_in(l.second, l.second)});
-    }
-
-    void add(const std::int32_t rows, const std::int32_t columns, const int place, const Block &block)
-    {
-      for (int c = 0; c < motions; ++c)
-        {
-          const int column = unknown[motions * columns + c];
-          if (column < 0)
-            continue;
-          double *values = matrix.valuePtr() + matrix.outerIndexPtr()[column] + place;
-          for (int r = 0; r < motions; ++r)
-            if (unknown[motions * rows + r] >= 0)
-              *values++ += block(r, c);
-        }
-    }
-
-    void assemble(const std::vector<base::Matrix6> &stiffness)
-    {
-      std::fill_n(matrix.valuePtr(), matrix.nonZeros(), 0.0);
-      for (std::size_t i = 0; i < stiffness.size(); ++i)
-        {
-          const ElasticLink &l  = loaded.network.links[i];
-          const auto [J, K]     = slip_matrices(l, scale);
-          const BlockPlaces &at = places[i];
-          const SlipOf       CJ = stiffness[i] * J, CK = stiffness[i] * K;
-          add(l.first, l.first, at.JJ, J.transpose() * CJ);
-          add(l.first, l.second, at.JK, J.transpose() * CK);
-          add(l.second, l.first, at.KJ, K.transpose() * CJ);
-          add(l.second, l.second, at.KK, K.transpose() * CK);
-        }
-      for (int i = 0; i < count; ++i)
-        matrix.coeffRef(i, i) += added_to_diagonal * weak_diagonal[i];
-    }
-
-    std::vector<base::Matrix6> undamaged() const
-    {
-      std::vector<base::Matrix6> stiffness;
-      for (const ElasticLink &l : loaded.network.links)
-        stiffness.push_back(undamaged_stiffness(l));
-      return stiffness;
-    }
-
-    /** Diagonal of the undamaged stiffness; where a motion meets none, the mean. */
-    Eigen::VectorXd undamaged_diagonal()
-    {
-      weak_diagonal = Eigen::VectorXd::Zero(count);
-      assemble(undamaged());
-      const Eigen::VectorXd diagonal = matrix.diagonal();
-      const double          mean = std::accumulate(diagonal.begin(), diagonal.end(), 0.0) / static_cast<double>(count);
-      return (diagonal.array() > 1e-12 * mean).select(diagonal, mean);
-    }
-
     bool factorize(const std::vector<base::Matrix6> &stiffness)
     {
       if (count == 0) // all particles are driven: nothing is left to solve for
         return true;
       prepare_matrix();
-      assemble(stiffness);
-      return factor.factorize(*around, around->whole(matrix));
+      return factorize_by(factor, stiffness);
+    }
+
+    bool factorize_by(UnsymmetricFactor &by, const std::vector<base::Matrix6> &stiffness)
+    {
+      matrix->assemble(stiffness);
+      return by.factorize(around->whole(matrix->whole()), around->has_multipliers());
     }
 
     /** What is unbalanced, as forces on the unknowns. */
@@ -434,13 +303,10 @@ namespace dem
     std::vector<int>     unknown, first; ///< of each motion, -1 where held; of each particle, and the end
     std::vector<int>     moving;         ///< load parameters that are free or driven
     std::vector<int>     all;            ///< load parameters that there are, in the plane or in space
-    Sparse               matrix;         ///< of the links
 
-    std::unique_ptr<SurroundedSystem> around;
-
-    std::vector<BlockPlaces> places;
-    Eigen::VectorXd          weak_diagonal;
-    Factor                   factor, undamaged_factor;
+    std::optional<TangentMatrix>    matrix; ///< of the links, for factors
+    std::optional<SurroundedSystem> around;
+    UnsymmetricFactor               factor, undamaged_factor;
 
     bool                        tried_undamaged = false;
     std::optional<ChangedLinks> changed;              ///< from undamaged links, once these are factorised
@@ -536,8 +402,8 @@ namespace dem
       return false;
     const Eigen::MatrixXd right = -s.load_columns(stiffness, s.all);
     Eigen::MatrixXd       x     = s.solve(right);
-    const Eigen::MatrixXd added = added_to_diagonal * (s.weak_diagonal.asDiagonal() * x);
-    x += s.solve(added); // takes the addition back
+    if (s.count > 0) // takes the addition back
+      x += s.solve(Eigen::MatrixXd(added_to_diagonal * (s.matrix->undamaged_diagonal().asDiagonal() * x)));
     forces.setZero();
     for (std::size_t p = 0; p < s.all.size(); ++p)
       {

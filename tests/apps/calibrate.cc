@@ -19,12 +19,7 @@ TEST_CASE("breccia calibrate recovers known constants within their error bars an
           "[apps][slow]")
 {
   const ScratchFolder folder;
-  write_calibration(folder, "");
-  const double       deviation = measure(folder);
-  std::ostringstream target;
-  target << "  subsection pull\n    set Curve = measured.csv\n    set Test = tension\n    set Standard deviation = "
-         << deviation << "\n  end\n";
-  write_calibration(folder, calibration_of_stack(target.str()));
+  write_curve_calibration(folder);
   const Outcome outcome = calibrate(folder, {"-o", "out"});
   INFO(outcome.err << outcome.out);
   REQUIRE(outcome.status == 0);
@@ -165,12 +160,7 @@ TEST_CASE("a constant that the start does not show is held for good where no set
           "[apps][slow]")
 {
   const ScratchFolder folder;
-  write_calibration(folder, "");
-  const double       deviation = measure(folder);
-  std::ostringstream target;
-  target << "  subsection pull\n    set Curve = measured.csv\n    set Test = tension\n    set Standard deviation = "
-         << deviation << "\n  end\n";
-  write_calibration(folder, calibration_of_stack(target.str()));
+  write_curve_calibration(folder);
   for (const int most : {5, 8})
     {
       INFO(most);
@@ -191,14 +181,7 @@ TEST_CASE("a posterior by an emulator has bands of constants and of the curve, a
           "[apps][slow]")
 {
   const ScratchFolder folder;
-  write_calibration(folder, "");
-  const double       deviation = measure(folder);
-  std::ostringstream target;
-  target << "  subsection pull\n    set Curve = measured.csv\n    set Test = tension\n    set Standard deviation = "
-         << deviation << "\n  end\n";
-  write_calibration(folder,
-                    replaced(calibration_of_stack(target.str()), "subsection Targets",
-                             "subsection Posterior\n  set Runs = 30\n  set Draws = 500\nend\nsubsection Targets"));
+  write_curve_calibration(folder, "subsection Posterior\n  set Runs = 30\n  set Draws = 500\nend\n");
   const Outcome outcome = calibrate(folder, {"-o", "out"});
   INFO(outcome.err << outcome.out);
   REQUIRE(outcome.status == 0);

@@ -119,4 +119,13 @@ subsection Targets
     folder.file("measured.csv", content_of(folder / "tension.csv"));
     return deviation;
   }
+
+  void write_curve_calibration(const ScratchFolder &folder, const std::string &section)
+  {
+    write_calibration(folder, "");
+    std::ostringstream target;
+    target << "  subsection pull\n    set Curve = measured.csv\n    set Test = tension\n    set Standard deviation = "
+           << measure(folder) << "\n  end\n";
+    write_calibration(folder, section + calibration_of_stack(target.str()));
+  }
 } // namespace apps_tests

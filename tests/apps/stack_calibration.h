@@ -31,4 +31,7 @@ namespace apps_tests
 
   /** That of known constants in measured.csv. */
   double measure(const ScratchFolder &folder);
+
+  /** The stack, and a calibration whose target is that curve, known to its noise. @param section of the calibration besides */
+  void write_curve_calibration(const ScratchFolder &folder, const std::string &section = "");
 } // namespace apps_tests

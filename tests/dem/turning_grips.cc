@@ -208,6 +208,23 @@ TEST_CASE("grips that turn in motion find bars side by side as soft as those in 
           Approx(pulled(three, 3, 1, true, blocked).force).epsilon(1e-3));
 }
 
+TEST_CASE("glued platens of a laboratory turn as grips do", "[dem][laboratory]")
+{
+  const dem::Packing packing = bars(1, {{0, 0}, {0, apart}});
+  for (const bool turn : {false, true})
+    {
+      dem::LabParameters requested = laboratory::between_platens(1e-3 * 2 * R * links_of_bar);
+      requested.test               = laboratory::Test::tension;
+      requested.press.layer        = 0.5 * R;
+      requested.press.turns        = turn;
+      requested.stop_strain        = strain;
+      laboratory::Run run(packing, slow_motion(2), materials(), requested);
+      run.to_end(100000);
+      CHECK(run.test.reading().stress / run.test.stress_of_force() ==
+            Approx(pulled(packing, 2, 1, turn, true).force).epsilon(2e-3)); // platens hold spins
+    }
+}
+
 TEST_CASE("a face that turns has the inertia of its particles: it swings on bars as their stiffness says", "[dem]")
 {
   // One link of each bar, between a grip that is fast and one that turns: (k_1 + k_2) b^2 over 2 m b^2, b half of their distance.

@@ -233,6 +233,7 @@ TEST_CASE("noise of a model: an answer that is worse by more than noise explains
   CHECK(end.place == problem.start); // squares of 0.133 where it would have led, 0.09 here
   CHECK(end.residuals == there.residuals);
   CHECK(end.share == 1);
+  CHECK(end.leads_astray);
   CHECK(end.jacobian(0, 0) == Approx(0).margin(0.1));
   CHECK(end.jacobian(1, 0) == Approx(-1).margin(0.1));
   CHECK_FALSE(end.cut_short);
