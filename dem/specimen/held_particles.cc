@@ -41,6 +41,22 @@ namespace dem
     return sum;
   }
 
+  void HeldParticles::HeldGrip::lose(const std::size_t member, const std::size_t c, const double velocity)
+  {
+    lost_velocity[6 * member + c] += velocity;
+    may_have_lost = true;
+  }
+
+  double HeldParticles::HeldGrip::take_lost_power(const Particles &particles)
+  {
+    double sum = 0;
+    for (std::size_t k = 0; k < members.size(); ++k)
+      for (int c = 0; c < 6; ++c)
+        sum -= force_without_push(particles, members[k], c) * lost_velocity[6 * k + c];
+    std::fill(lost_velocity.begin(), lost_velocity.end(), 0.0);
+    return sum;
+  }
+
   namespace
   {
     std::vector<std::int32_t> united(const std::vector<std::int32_t> &first, const std::vector<std::int32_t> &second)
@@ -101,7 +117,8 @@ namespace dem
     if (!work)
       return;
     work->before += 0.5 * mass * (v * v - before * before);
-    held.lost_velocity[6 * member + c] += before - v;
+    if (v != before)
+      held.lose(member, static_cast<std::size_t>(c), before - v);
   }
 
   void HeldParticles::set_rates(const std::size_t      number,
@@ -162,7 +179,7 @@ namespace dem
       return std::nullopt;
     HeldGrip &held                 = grips[static_cast<std::size_t>(grip)];
     held.own_rates[6 * member + c] = now;
-    held.lost_velocity[6 * member + c] += before - now;
+    held.lose(member, c, before - now);
     return 0.5 * (c < 3 ? particles.mass[i] : particles.inertia[i]) * (now * now - before * before);
   }
 
@@ -211,12 +228,9 @@ namespace dem
   {
     for (auto &held : grips)
       {
-        double lost_power = 0; // in the half step before t_n members had the velocities of before the last change
-        for (std::size_t k = 0; k < held.members.size(); ++k)
-          for (int c = 0; c < 6; ++c)
-            lost_power -= force_without_push(particles, held.members[k], c) * held.lost_velocity[6 * k + c];
-        std::fill(held.lost_velocity.begin(), held.lost_velocity.end(), 0.0);
-        work.now += halves.before * (held.power() + lost_power);
+        // Mostly none has: then the forces, which lie all over the memory, need not be fetched.
+        const double lost = std::exchange(held.may_have_lost, false) ? held.take_lost_power(particles) : 0.0;
+        work.now += halves.before * (held.power() + lost);
         work.after += halves.after * held.power();
       }
   }
@@ -269,6 +283,7 @@ namespace dem
             visitor.scalar(name + "/spin_" + std::to_string(c), held.grip.spin[c]);
           }
         visitor.column(name + "/lost_velocity", held.lost_velocity);
+        held.may_have_lost = true;
         visitor.column(name + "/own_rates", held.own_rates);
         for (int c = 0; held.face && c < 2; ++c)
           visitor.scalar(name + "/slope_rate_" + std::to_string(c), held.face->slope_rate[c]);

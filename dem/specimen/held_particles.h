@@ -93,12 +93,16 @@ namespace dem
       base::Column own_rates; ///< 6 of each member, where members move each on its own; empty: all alike
       double       own_power = 0; ///< that the grip puts in at these rates and the forces at t_n [W]
       base::Column lost_velocity; ///< of each member, 6 components: what new rates took away since the last step
+      bool         may_have_lost = false; ///< otherwise these are all zero
       std::optional<TurningFace> face;
 
       double rate(std::size_t member, int component) const;
       /** Of a member of a face that turns: six rates with its turn. */
       std::array<double, 6> turning_rates(std::size_t member) const;
       double                power() const; ///< that the grip puts into the specimen [W]
+      void                  lose(std::size_t member, std::size_t component, double velocity);
+      /** In the half step before t_n, as members had other velocities before their rates changed; nothing is lost any more [W]. */
+      double take_lost_power(const Particles &particles);
     };
 
     static void set_rate(HeldGrip &held, std::size_t member, int component, Particles &particles, EnergyFlow *work);
