@@ -59,7 +59,7 @@ namespace apps
     if (launched_ranks() > 1 && !scene.scene->shares_ranks())
       throw base::InputError(fmt::format(
         "{}: Kind = {}: runs in one process, and mpirun has started {}. Use --threads; "
-        "only scenes of kind cell, continuum, coupled, homogenisation, particles, quasi_static and uniaxial "
+        "only scenes of kind cell, continuum, coupled, homogenisation, particles, quasi_static, structure and uniaxial "
         "share their work among processes.",
         scene.file, scene.kind, launched_ranks()));
   }

@@ -199,6 +199,7 @@ set(runs_sources
 
 set(runs_solids_sources
   process/mpi_session.cc
+  process/path_solver.cc
   runs/continuum/analysis.cc
   runs/continuum/cells.cc
   runs/continuum/contact_analysis.cc

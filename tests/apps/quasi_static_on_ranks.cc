@@ -1,4 +1,4 @@
-// Scenes of kind quasi_static on several ranks: every file but the summary has the same bytes as on one.
+// Scenes of kinds quasi_static and structure on several ranks: every file but the summary has the same bytes as on one.
 #include "tests/apps/same_on_ranks.h"
 #include "tests/places.h"
 
@@ -23,6 +23,15 @@ namespace
                                     "Loading/Tension/Stop strain=1.5e-4"};
     all.insert(all.end(), changes.begin(), changes.end());
     return run_of("quasi_static.prm", all);
+  }
+
+  /** A notched beam of particles alone, bent until bonds have damage. */
+  std::string bent(const std::vector<std::string> &changes = {})
+  {
+    std::vector<std::string> all = {"Path/Linear solver=iterative", "Path/End=8e-6", "Path/Step=1e-6",
+                                    "Output/Points per snapshot=4"};
+    all.insert(all.end(), changes.begin(), changes.end());
+    return run_of("bending_of_particles.prm", all);
   }
 
   nlohmann::json figures_in(const std::filesystem::path &folder)
@@ -82,6 +91,30 @@ TEST_CASE("A quasi-static run that was interrupted on three ranks goes on on one
   goes_on_on_others(pulled({"Output/Checkpoint interval=0.01"}));
 }
 
+TEST_CASE("A bent beam of particles has the same results on one rank and on three, by the automatic solver",
+          "[apps][mpi][ranks][slow]")
+{
+  if (places::skipped_without_mpirun())
+    return;
+  const ScratchFolder folder;
+  REQUIRE(shell_in(folder, program_on(0, 1) + bent() + " -o one") == 0);
+  CHECK(postprocess::read_csv_table(folder / "one/series.csv").column("mean_damage").back() > 0);
+  const int status = shell_in(folder, program_on(3, 1) + bent({"Path/Linear solver=automatic"}) + " -o three");
+  INFO(content_of(folder / "said"));
+  REQUIRE(status == 0);
+  CHECK(differences(folder / "one", folder / "three") == std::vector<std::string>());
+  CHECK(figures_in(folder / "one") == figures_in(folder / "three"));
+}
+
+TEST_CASE(
+  "A bent beam of particles that was interrupted on three ranks goes on on one, and on five, to the same results",
+  "[apps][mpi][ranks][slow][S13]")
+{
+  if (places::skipped_without_mpirun())
+    return;
+  goes_on_on_others(bent({"Output/Checkpoint interval=0.01"}));
+}
+
 TEST_CASE("What needs a factor is refused under mpirun in one message", "[apps][mpi][ranks][S14]")
 {
   if (places::skipped_without_mpirun())
@@ -92,7 +125,20 @@ TEST_CASE("What needs a factor is refused under mpirun in one message", "[apps][
   refused_on_ranks(
     pulled({"Solver/Linear solver=automatic", "Loading/Lateral motion blocked=true", "Loading/Grips turn=true"}),
     "Loading/Grips turn = true: they need the direct solver, which runs in one process, and mpirun has started 2.");
-  refused_on_ranks(run_of("crack_promoted.prm"), "Kind = structure: runs in one process, and mpirun has started 2.");
+  refused_on_ranks(bent({"Path/Linear solver=direct"}),
+                   "Path/Linear solver = direct: runs in one process, and mpirun has started 2.");
+  refused_on_ranks(
+    run_of("crack_promoted.prm"),
+    "Handshakes: particles with a solid around them run in one process, and mpirun has started 2. Use --threads.");
+}
+
+TEST_CASE("The iterative solver refuses a solid around particles", "[apps][S14]")
+{
+  const ScratchFolder folder;
+  const Outcome outcome = run(folder.path(), {"check", places::sources() + "/apps/scenes/crack_promoted.prm", "-s",
+                                              "Path/Linear solver=iterative"});
+  CHECK(outcome.status == 2);
+  CHECK_THAT(outcome.err, Contains("Path/Linear solver") && Contains("knows nothing of a solid around particles"));
 }
 
 TEST_CASE("The iterative solver refuses grips that turn", "[apps][S14]")

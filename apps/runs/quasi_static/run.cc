@@ -2,6 +2,7 @@
 
 #include "apps/figures/lab_run.h"
 #include "apps/process/mpi_session.h"
+#include "apps/process/path_solver.h"
 #include "apps/runs/quasi_static/report.h"
 
 #include <fmt/format.h>
@@ -10,17 +11,10 @@ namespace apps
 {
   namespace
   {
-    /** A factor cannot be shared, and grips that turn need one. */
-    void refuse_factor_on_ranks(const QuasiStaticModel &model)
+    /** A factor cannot be shared. */
+    void refuse_turning_grips_on_ranks(const QuasiStaticModel &model)
     {
-      if (rank_count() == 1)
-        return;
-      if (model.linear_solver == dem::SolverMethod::direct)
-        base::EntryPath().at("Solver").refuse(
-          "Linear solver", fmt::format("runs in one process, and mpirun has started {}. Choose automatic or "
-                                       "iterative, or use --threads.",
-                                       rank_count()));
-      if (!model.is_cell() && model.grips_turn)
+      if (rank_count() > 1 && !model.is_cell() && model.grips_turn)
         base::EntryPath().at("Loading").refuse(
           "Grips turn",
           fmt::format("they need the direct solver, which runs in one process, and mpirun has started {}. "
@@ -32,7 +26,8 @@ namespace apps
   RunResult run(const QuasiStaticModel &model, const RunRequest &request)
   {
     start_mpi_for_ranks();
-    refuse_factor_on_ranks(model);
+    refuse_factor_on_ranks(base::EntryPath().at("Solver"), model.linear_solver);
+    refuse_turning_grips_on_ranks(model);
     return LabRun<QuasiStaticLabTest>(request, model).execute();
   }
 } // namespace apps

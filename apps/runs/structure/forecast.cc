@@ -44,7 +44,7 @@ namespace apps
           text += fmt::format("  promotion    {}: up to {} elements may become particles, {} with them\n",
                               (handshake++)->name, elements, packing.size());
       }
-    const dem::QuasiStaticParameters path = model.path.parameters();
+    const dem::QuasiStaticParameters path = model.path.parameters(nullptr);
     text += fmt::format("  path         at least {:.0f} points to its end\n", path.end_strain / path.strain_step);
     return text + duration_line(set_up + expected_path_seconds(structure.network(), model.materials(packing), path));
   }

@@ -6,13 +6,17 @@
 
 namespace apps
 {
-  void PathSection::check(const base::EntryPath &root) const
+  void PathSection::check(const base::EntryPath &root, const bool solid) const
   {
     if (step > end)
       root.at("Path").refuse("Step", "must not be above End.");
+    if (solid && solver == dem::SolverMethod::iterative)
+      root.at("Path").refuse("Linear solver",
+                             "the iterative one knows nothing of a solid around particles (Handshakes). "
+                             "Choose automatic or direct.");
   }
 
-  dem::QuasiStaticParameters PathSection::parameters() const
+  dem::QuasiStaticParameters PathSection::parameters(dem::Ranks *const ranks) const
   {
     dem::QuasiStaticParameters p;
     p.strain_step        = step;
@@ -21,6 +25,8 @@ namespace apps
     p.growth_step        = growth_step;
     p.tolerance          = tolerance;
     p.relaxation.damping = damping;
+    p.solver             = solver;
+    p.ranks              = ranks;
     return p;
   }
 
@@ -35,7 +41,7 @@ namespace apps
     groups.check(root, dimension, names);
     supports.check(root, dimension, names);
     probes.check(root, dimension, names);
-    path.check(root);
+    path.check(root, has_solid());
     bending_test.check(root);
     wedge_splitting.check(root);
     if (!has_solid())

@@ -29,11 +29,13 @@ namespace apps
   /** Section "Path": how a structure is driven along its equilibria. */
   struct PathSection
   {
-    double end = 0, step = 0, stop_fraction = 0.2, growth_step = 0.2, tolerance = 1e-7, damping = 0.7;
+    double            end = 0, step = 0, stop_fraction = 0.2, growth_step = 0.2, tolerance = 1e-7, damping = 0.7;
+    dem::SolverMethod solver = dem::SolverMethod::automatic;
 
-    /** @throws base::InputError */
-    void                       check(const base::EntryPath &root) const;
-    dem::QuasiStaticParameters parameters() const;
+    /** @param solid whether there is one around the particles @throws base::InputError */
+    void check(const base::EntryPath &root, bool solid) const;
+    /** @param ranks that follow the path together; null: this process alone */
+    dem::QuasiStaticParameters parameters(dem::Ranks *ranks) const;
   };
 
   /** Everything that a scene of kind "structure" says. */

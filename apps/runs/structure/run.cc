@@ -2,6 +2,7 @@
 
 #include "apps/figures/drawn_curve.h"
 #include "apps/process/mpi_session.h"
+#include "apps/process/path_solver.h"
 #include "apps/process/progress.h"
 #include "apps/results/life_cycle.h"
 #include "apps/results/snapshots.h"
@@ -177,6 +178,12 @@ namespace apps
   RunResult run(const StructureModel &model, const RunRequest &request)
   {
     start_mpi();
+    refuse_factor_on_ranks(base::EntryPath().at("Path"), model.path.solver);
+    if (rank_count() > 1 && model.has_solid())
+      throw base::InputError(
+        fmt::format("Handshakes: particles with a solid around them run in one process, and mpirun "
+                    "has started {}. Use --threads.",
+                    rank_count()));
     return StructureRun(request, model).execute();
   }
 } // namespace apps

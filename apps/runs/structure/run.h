@@ -32,6 +32,7 @@ namespace apps
     void                                   keep_files(const std::filesystem::path &folder, bool fresh) override;
     void                                   begin(const Record &record) override;
     void                                   visit_state(RunState &state) override;
+    bool                                   whole_on_each_rank() const override { return true; }
     std::vector<postprocess::SeriesColumn> series_columns() const override { return structure().columns(); }
     std::string                            size() const override { return structure().size(); }
     std::string                            stage() const override { return "equilibrium"; }

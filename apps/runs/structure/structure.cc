@@ -1,6 +1,7 @@
 #include "apps/runs/structure/structure.h"
 
 #include "apps/figures/drawn_curve.h"
+#include "apps/process/mpi_ranks.h"
 #include "apps/runs/quasi_static/lab_test.h"
 #include "base/errors.h"
 
@@ -19,7 +20,8 @@ namespace apps
     , solid(make_solid(parts.packing, media))
     , alone(solid ? std::nullopt : std::optional(what.particles(parts.packing, groups)))
     , materials(materials_in(network().network, parts.packing.material_names))
-    , path(network(), what.materials(parts.packing), what.path.parameters())
+    , team(launched_team())
+    , path(network(), what.materials(parts.packing), what.path.parameters(team.get()))
   {
     for (const auto &[test, evaluated] : {std::pair{"Bending test", model.bending_test.evaluate()},
                                           std::pair{"Wedge splitting", model.wedge_splitting.evaluate()}})

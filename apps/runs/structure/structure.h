@@ -5,6 +5,7 @@
 #include "apps/runs/structure/solid.h"
 #include "apps/specimens/material_counts.h"
 #include "dem/observation/path_output.h"
+#include "dem/ranks/ranks.h"
 
 #include <memory>
 #include <optional>
@@ -71,6 +72,7 @@ namespace apps
     std::unique_ptr<StructureSolid>   solid;
     std::optional<dem::LoadedNetwork> alone; ///< where there is no solid
     MaterialCounts                    materials;
+    std::shared_ptr<dem::Ranks>       team; ///< that shares the work; null: this process alone
     dem::QuasiStaticPath              path;
   };
 } // namespace apps

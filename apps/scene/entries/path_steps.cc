@@ -15,4 +15,17 @@ namespace apps
     section.number("Damping", damping, "-", Range::from_up_to(0.01, 1), Need::optional)
       .means("Local (Cundall) damping where cracks run away and dynamics finds the next equilibrium");
   }
+
+  void declare_path_solver(Section &section, dem::SolverMethod &method)
+  {
+    section
+      .choice("Linear solver", method,
+              {{"automatic", dem::SolverMethod::automatic},
+               {"direct", dem::SolverMethod::direct},
+               {"iterative", dem::SolverMethod::iterative}},
+              Need::optional)
+      .means(
+        "iterative: minimal residuals with a factor of each brick of particles, shared by the processes of mpirun; "
+        "automatic: iterative under mpirun and for 5000 particles and more in space, otherwise direct (UMFPACK)");
+  }
 } // namespace apps

@@ -78,15 +78,7 @@ namespace apps
 
     Section &solver = root.section("Solver", "How the equilibrium path is followed");
     declare_path_steps(solver, model.growth_step, model.tolerance, model.damping, "link forces");
-    solver
-      .choice("Linear solver", model.linear_solver,
-              {{"automatic", dem::SolverMethod::automatic},
-               {"direct", dem::SolverMethod::direct},
-               {"iterative", dem::SolverMethod::iterative}},
-              Need::optional)
-      .means(
-        "iterative: minimal residuals with a factor of each brick of particles, shared by the processes of mpirun; "
-        "automatic: iterative under mpirun and for 5000 particles and more in space, otherwise direct (UMFPACK)");
+    declare_path_solver(solver, model.linear_solver);
 
     Section &output = root.section("Output", "How often results are written");
     output.integer("Points per snapshot", model.snapshot_interval, "", Range::between(0, 1e6), Need::optional)

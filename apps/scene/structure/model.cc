@@ -46,6 +46,7 @@ namespace apps
     s.number("Stop fraction", path.stop_fraction, "-", Range::from_up_to(0, 1), Need::optional)
       .means("The path ends when the force of the load factor has fallen to this part of its peak; 0: never");
     declare_path_steps(s, path.growth_step, path.tolerance, path.damping, "forces of links and solid");
+    declare_path_solver(s, path.solver);
   }
 
   void declare(Section &root, BendingTestSection &test)
