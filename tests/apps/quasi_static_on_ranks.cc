@@ -1,4 +1,5 @@
 // Scenes of kinds quasi_static and structure on several ranks: every file but the summary has the same bytes as on one.
+#include "postprocess/files/csv_table.h"
 #include "tests/apps/same_on_ranks.h"
 #include "tests/places.h"
 
