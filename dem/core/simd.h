@@ -32,6 +32,18 @@ namespace dem
       Half low, high;
 
       PackOf() = default;
+      // Half by half: where several are copied together as plain memory, a compiler may call memcpy for it.
+      BRECCIA_KERNEL PackOf(const PackOf &other)
+        : low(other.low)
+        , high(other.high)
+      {
+      }
+      BRECCIA_KERNEL PackOf &operator=(const PackOf &other)
+      {
+        low  = other.low;
+        high = other.high;
+        return *this;
+      }
       BRECCIA_KERNEL PackOf(const Half &first, const Half &second)
         : low(first)
         , high(second)

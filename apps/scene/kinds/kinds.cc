@@ -76,7 +76,7 @@ namespace apps
         {"sequential", "an event by particles, handed over to a continuum that carries on",
          make_scene<SequentialModel>},
         {"structure", "particles, and a solid around them, along their equilibria without inertia",
-         make_scene<StructureModel>},
+         make_scene<StructureModel, true>},
         {"transmission", "packets of waves that run through particles and on into a continuum",
          make_scene<TransmissionModel>},
         {"uniaxial", "a bonded-particle specimen pulled and crushed", make_scene<UniaxialModel, true>},
