@@ -67,7 +67,8 @@ namespace apps
                                     {"ghosts", rank.ghosts},
                                     {"neighbours", rank.neighbours},
                                     {"messages", rank.messages},
-                                    {"bytes", rank.bytes}});
+                                    {"bytes", rank.bytes},
+                                    {"memory", rank.memory}});
     }
   } // namespace
 
@@ -290,6 +291,8 @@ namespace apps
       append_shares(found.summary, *found.specimen);
     if (keeps_files())
       {
+        if (found.specimen)
+          found.specimen->gather(); // the first rank alone reads it from now on
         by_those_who_write([&] { work.write_results(location, result.series); });
         on_first_rank([&] { files->publish(found.summary); });
       }

@@ -1,5 +1,6 @@
 #include "apps/specimens/specimen_snapshots.h"
 
+#include "apps/process/mpi_session.h"
 #include "apps/results/snapshots.h"
 #include "dem/observation/link_images.h"
 #include "postprocess/vtk/break_log.h"
@@ -22,6 +23,9 @@ namespace apps
 
   void SpecimenSnapshots::take(const dem::ObservedSpecimen &specimen)
   {
+    if (!on_any_rank(wanted()))
+      return;
+    specimen.gather(); // one rank alone reads it then
     if (!wanted())
       return;
     const dem::ParticleOutput state  = specimen.particles();

@@ -18,4 +18,10 @@ namespace dem
    * rank of their particle and count as nothing.
    */
   std::vector<RankShare> share_out(const ObservedSpecimen &specimen, std::size_t ranks);
+
+  /**
+   * Memory that particles and links of a specimen will take up in a rank while steps are taken, at least [B]: what all ranks have, and what only
+   * those have who need it, of its own and of copies and ghosts. These come in whole pages, so it is somewhat more.
+   */
+  std::size_t least_bytes(const ObservedSpecimen &specimen, const RankShare &share);
 } // namespace dem

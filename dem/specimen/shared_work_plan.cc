@@ -1,6 +1,7 @@
 // What of a specimen is whose (doc/theory/ranks.md, 3).
 
 #include "dem/core/simd.h"
+#include "dem/model/column_memory.h"
 #include "dem/ranks/exchange_cost.h"
 #include "dem/ranks/shares.h"
 #include "dem/specimen/rank_shares.h"
@@ -86,7 +87,9 @@ namespace dem
       }
     append_copies(links, share);
     links.in_parts = true;
-    share.stale    = false;
+    share.stale = share.lean = false;
+    share.since_read         = 0;
+    share.borrowed.clear();
   }
 
   void SharedWork::append_copies(LinkSet &links, const SetShare &share) const
@@ -147,6 +150,8 @@ namespace dem
       {
         choose_ranges(particles, bonds, contacts);
         share_out(bonds, of_bonds);
+        lean       = false;
+        since_read = 0;
       }
     share_out(contacts, of_contacts);
     find_ghosts(particles, bonds, contacts);
@@ -158,7 +163,8 @@ namespace dem
     bonds.in_parts = contacts.in_parts = false;
   }
 
-  std::vector<RankWork> SharedWork::work(const LinkSet &bonds, const LinkSet &contacts) const
+  std::vector<RankWork>
+  SharedWork::work(const Particles &particles, const LinkSet &bonds, const LinkSet &contacts) const
   {
     RankWork own;
     own.particles = last() - first();
@@ -170,8 +176,10 @@ namespace dem
         own.ghosts += static_cast<std::int64_t>(ghosts[r].size());
         own.neighbours += ghosts[r].empty() && sent[r].empty() ? 0 : 1;
       }
-    own.messages = messages;
-    own.bytes    = bytes;
+    own.messages   = messages;
+    own.bytes      = bytes;
+    own.memory_now = static_cast<std::int64_t>(resident_bytes(particles, {&bonds, &contacts}));
+    own.memory     = memory > 0 ? memory : own.memory_now;
     std::vector<RankWork>    all(size());
     std::vector<std::size_t> begin;
     for (std::size_t r = 0; r <= size(); ++r)

@@ -2,6 +2,7 @@
 #include "base/errors.h"
 #include "clusters.h"
 #include "dem/specimen/core.h"
+#include "dem/specimen/rank_shares.h"
 #include "dem/specimen/specimen.h"
 #include "periodic_cell_fixture.h"
 #include "rank_threads.h"
@@ -188,6 +189,84 @@ TEST_CASE("the same for other numbers of ranks, and after more steps", "[dem][ra
     {
       each.steps *= 2;
       check_on_ranks(each, {{2, 0, true}, {4, 0, false}, {5, 30, true}, {8, 50, false}});
+    }
+}
+
+namespace
+{
+  struct Memory
+  {
+    std::vector<dem::RankWork> at_work, after_sums, after_all, later; ///< of each rank
+    std::size_t                written = 0;                           ///< numbers of a state
+  };
+
+  /** A block of bonded spheres at several moments of its run. */
+  Memory memory_on(const std::size_t count, const std::function<dem::Specimen()> &make)
+  {
+    Memory found;
+    rank_threads::run(count, [&](const std::shared_ptr<dem::Ranks> &ranks) {
+      omp_set_num_threads(1);
+      dem::Specimen body = make();
+      body.share_among(ranks);
+      const auto note = [&](std::vector<dem::RankWork> &to) {
+        if (const auto shares = body.shares(); ranks->rank() == 0)
+          to = shares;
+      };
+      body.advance(20);
+      note(found.at_work);
+      body.energy();
+      body.mean_damage();
+      body.counts();
+      State       state;
+      StateKeeper keeper(state);
+      body.visit_state(keeper);
+      note(found.after_sums);
+      if (ranks->rank() == 0)
+        for (const auto &[name, values] : state)
+          found.written += values.size();
+      body.links();
+      note(found.after_all);
+      body.advance(20);
+      note(found.later);
+    });
+    return found;
+  }
+} // namespace
+
+TEST_CASE("a rank has memory for its own links and particles, for copies and ghosts, and for what all know",
+          "[dem][ranks]")
+{
+  omp_set_num_threads(1);
+  const auto make = [] {
+    dem::Specimen block(cluster::cubic_lattice(32, 32, 32, 1e-3), cluster::bonded(1.5), cluster::concrete());
+    block.set_velocity(0, Vector3d(1, 0, 0), Vector3d::Zero());
+    return block;
+  };
+  dem::Specimen     alone = make();
+  const std::size_t whole = alone.bytes();
+  State             state;
+  StateKeeper       keeper(state);
+  alone.visit_state(keeper);
+  std::size_t written = 0;
+  for (const auto &[name, values] : state)
+    written += values.size();
+  for (const std::size_t count : {2, 4})
+    {
+      const std::vector<dem::RankShare> shares = dem::share_out(alone, count);
+      const Memory                      memory = memory_on(count, make);
+      CHECK(memory.written == written);
+      for (std::size_t r = 0; r < count; ++r)
+        {
+          const auto least = static_cast<double>(dem::least_bytes(alone, shares[r]));
+          INFO("rank " << r << " of " << count << ", " << least << " of " << whole << " bytes at least");
+          CHECK(least < static_cast<double>(whole) * (count == 2 ? 0.66 : 0.5));
+          for (const std::vector<dem::RankWork> *at : {&memory.at_work, &memory.after_sums, &memory.later})
+            {
+              CHECK(static_cast<double>((*at)[r].memory_now) >= 0.97 * least);
+              CHECK(static_cast<double>((*at)[r].memory_now) <= least + 0.2 * static_cast<double>(whole));
+            }
+          CHECK(memory.after_all[r].memory_now >= 0.95 * static_cast<double>(whole));
+        }
     }
 }
 

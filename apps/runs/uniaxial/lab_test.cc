@@ -179,6 +179,7 @@ namespace apps
     const dem::SpecimenParameters &made = specimen.parameters();
     result.notes.crack                  = dem::measure_crack(specimen.particles(), specimen.links(),
                                                              {made.physics.dimension, made.density, made.thickness});
+    specimen.gather(); // the first rank alone writes
   }
 
   void UniaxialLabTest::write(const std::filesystem::path &folder) const
