@@ -260,18 +260,18 @@ namespace apps
     {
       dem::Specimen body = cube_of_lattice(bench.quick ? 16 : bench.cells);
       share_among_ranks(body);
-      const double                     seconds = seconds_of_steps(body, bench.memory_steps);
-      const double                     mine[]  = {process_memory("VmRSS"), process_memory("VmHWM")};
-      std::vector<RankMemory>          of(static_cast<std::size_t>(rank_count()));
-      const std::vector<dem::RankWork> work = body.shares();
-      std::vector<double>              all(2 * of.size(), 0.0);
+      const double                       seconds = seconds_of_steps(body, bench.memory_steps);
+      const double                       mine[]  = {process_memory("VmRSS"), process_memory("VmHWM")};
+      std::vector<RankMemory>            of(static_cast<std::size_t>(rank_count()));
+      const std::vector<dem::RankMemory> held = dem::memory_of_ranks(body);
+      std::vector<double>                all(2 * of.size(), 0.0);
       std::copy_n(mine, 2, all.data());
       if (rank_count() > 1)
         MPI_Allgather(mine, 2, MPI_DOUBLE, all.data(), 2, MPI_DOUBLE, MPI_COMM_WORLD);
       RankMemory sum;
       for (std::size_t r = 0; r < of.size(); ++r)
         {
-          of[r] = {static_cast<double>(work.empty() ? body.bytes() : static_cast<std::size_t>(work[r].memory)),
+          of[r] = {static_cast<double>(held.empty() ? static_cast<std::int64_t>(body.bytes()) : held[r].in_steps),
                    all[2 * r], all[2 * r + 1]};
           sum   = {sum.specimen + of[r].specimen, sum.process + of[r].process, sum.at_most + of[r].at_most};
         }

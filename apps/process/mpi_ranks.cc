@@ -1,6 +1,7 @@
 #include "apps/process/mpi_ranks.h"
 
 #include "apps/process/mpi_session.h"
+#include "apps/process/rank_meetings.h"
 #include "dem/ranks/ranks.h"
 #include "dem/specimen/specimen.h"
 

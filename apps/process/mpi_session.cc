@@ -1,6 +1,7 @@
 #include "apps/process/mpi_session.h"
 
 #include "apps/process/interrupt.h"
+#include "apps/process/rank_meetings.h"
 #include "base/errors.h"
 #include "base/solver_turns.h"
 #include "postprocess/files/errors.h"
@@ -175,6 +176,14 @@ namespace apps
       throw std::logic_error(std::string("ranks: the first says \"") + what + "\" alone, and the others wait for it");
     if (comparisons != MPI_COMM_NULL)
       compare(std::string(what) + ", " + std::to_string(size));
+  }
+
+  void take_from_first_rank(base::Column &numbers)
+  {
+    meet("take from the first rank");
+    const auto all =
+      dealii::Utilities::MPI::broadcast(MPI_COMM_WORLD, std::vector<double>(numbers.begin(), numbers.end()));
+    numbers.assign(all.begin(), all.end());
   }
 
   void on_first_rank(const std::function<void()> &action)

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstddef>
 #include <functional>
 
 namespace apps
@@ -34,13 +33,6 @@ namespace apps
    * @throws what it threw there (base::InputError, postprocess::OutputError, otherwise std::runtime_error), on every rank.
    */
   void on_first_rank(const std::function<void()> &action);
-
-  /**
-   * Before ranks speak with each other: refuse that one does so alone, within on_first_rank(), where the others would wait for it for ever. With
-   * BRECCIA_CHECK_RANKS in the environment (of all ranks) besides: compare what each is about to say. @param size of it, as all know it
-   * @throws std::logic_error naming what differs, on every rank
-   */
-  void meet(const char *what, std::size_t size = 0);
 
   /** True on every rank if it is on any. */
   bool on_any_rank(bool here);

@@ -3,6 +3,7 @@
 #include "apps/process/mpi_session.h"
 #include "apps/results/snapshots.h"
 #include "dem/observation/link_images.h"
+#include "dem/specimen/read_by_first.h"
 #include "postprocess/vtk/break_log.h"
 #include "postprocess/vtk/vtk_links.h"
 #include "postprocess/vtk/vtk_particles.h"
@@ -25,7 +26,7 @@ namespace apps
   {
     if (!on_any_rank(wanted()))
       return;
-    specimen.gather(); // one rank alone reads it then
+    const dem::ReadByFirst reading(specimen);
     if (!wanted())
       return;
     const dem::ParticleOutput state  = specimen.particles();

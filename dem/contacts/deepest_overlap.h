@@ -28,8 +28,6 @@ namespace dem
                            const LinkSet   &contacts,
                            const LinkRange &lines,
                            DeepestOverlap  &deepest);
-  void find_deeper_bond(const Particles &particles,
-                        const LinkSet   &bonds,
-                        const LinkRange &lines,
-                        DeepestOverlap  &deepest);
+  void
+  find_deeper_bond(const Particles &particles, const LinkSet &bonds, const LinkRange &lines, DeepestOverlap &deepest);
 } // namespace dem

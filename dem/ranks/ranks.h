@@ -53,7 +53,5 @@ namespace dem
     std::int64_t neighbours = 0; ///< ranks that it exchanges particles with
     std::int64_t messages   = 0; ///< of these exchanges, and gatherings
     std::int64_t bytes      = 0; ///< sent in both
-    std::int64_t memory     = 0; ///< that particles and links take up here while steps are taken [B]
-    std::int64_t memory_now = 0; ///< the same where something has just been read [B]
   };
 } // namespace dem

@@ -113,8 +113,8 @@ namespace dem
 
   double ObservedSpecimen::unbalanced_ratio() const
   {
-    const Particles &p       = self->particles;
-    double           sums[2] = {0, 0};
+    const Particles &p            = self->particles;
+    double           sums[2]      = {0, 0};
     double          &on_particles = sums[0], &moving = sums[1];
     self->walk_particles(sums, 2, [&](const std::size_t first, const std::size_t last) {
       for (std::size_t i = first; i < last; ++i)

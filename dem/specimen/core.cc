@@ -131,7 +131,8 @@ namespace dem
       walk(links, found, std::size(found), [&](const LinkRange &lines) {
         DeepestOverlap deepest{found[0], static_cast<std::int32_t>(found[1]), static_cast<std::int32_t>(found[2])};
         find_deeper(particles, links, lines, deepest);
-        std::copy_n(std::array<double, 3>{deepest.depth, double(deepest.first), double(deepest.second)}.data(), 3, found);
+        std::copy_n(std::array<double, 3>{deepest.depth, double(deepest.first), double(deepest.second)}.data(), 3,
+                       found);
       });
     };
     look(contacts, find_deeper_contact);

@@ -96,7 +96,7 @@ namespace dem
     void refuse_late(const char *what) const;
     /** Where work of sudden changes of velocity is entered; before the first step nowhere: it is initial energy. */
     EnergyFlow *work_of_changes() { return step_count == 0 ? nullptr : &book.work; }
-    /** Before all of it is read from outside: what other ranks have computed. Until the next step each rank then reads alone. */
+    /** Before all of it is read from outside: what other ranks have computed. Until the next step each rank reads without the others then. */
     void gather();
     /** All of particles. */
     void gather_particles();
@@ -104,7 +104,8 @@ namespace dem
      * Go through all lines of bonds or contacts in their order, each rank through its own: numbers that they add up have the bits that they have
      * on one rank, and all ranks have them then. @param part called with some lines, once or more often
      */
-    void walk(const LinkSet &links, double *numbers, std::size_t count, const std::function<void(const LinkRange &)> &part);
+    void
+    walk(const LinkSet &links, double *numbers, std::size_t count, const std::function<void(const LinkRange &)> &part);
     /** The same where the order does not matter. */
     void walk_without_order(const LinkSet &links, ExactSum &sum, const std::function<void(const LinkRange &)> &part);
     /** The same for the particles. @param part called with the first and behind the last */
@@ -112,8 +113,8 @@ namespace dem
     /** What blocks of links have summed up. */
     void gather_accounts();
     /** Whether this process has the state of all links of a set, or of both: then it reads without the others. */
-    bool has_all(const LinkSet &links) const;
-    bool has_all_links() const { return has_all(bonds) && has_all(contacts); }
+    bool           has_all(const LinkSet &links) const;
+    bool           has_all_links() const { return has_all(bonds) && has_all(contacts); }
     DeepestOverlap deepest_overlap();
     /** Before contacts, lists or overlaps are sought: where all particles are. */
     void gather_places();

@@ -31,16 +31,11 @@ namespace dem
 
   const SpecimenParameters &ObservedSpecimen::parameters() const { return self->parameters; }
 
-  void ObservedSpecimen::gather() const { self->gather(); }
-
   std::int64_t ObservedSpecimen::steps() const { return self->step_count; }
   double       ObservedSpecimen::time() const { return self->time; }
   double       ObservedSpecimen::time_step() const { return self->time_step; }
 
-  double ObservedSpecimen::stable_step() const
-  {
-    return self->stable();
-  }
+  double ObservedSpecimen::stable_step() const { return self->stable(); }
 
   double ObservedSpecimen::critical_step() const
   {
@@ -63,7 +58,7 @@ namespace dem
 
   std::vector<RankWork> ObservedSpecimen::shares() const
   {
-    return self->shares() ? self->shared->work(self->particles, self->bonds, self->contacts) : std::vector<RankWork>{};
+    return self->shares() ? self->shared->work(self->bonds, self->contacts) : std::vector<RankWork>{};
   }
 
   std::size_t ObservedSpecimen::bytes() const
@@ -117,9 +112,8 @@ namespace dem
     double elastic_energy_of(SpecimenCore &core, const LinkSet &links, const LinkLaw &law)
     {
       double sum = 0;
-      core.walk(links, &sum, 1, [&](const LinkRange &lines) {
-        add_elastic_energy(core.particles, links, law, lines, sum);
-      });
+      core.walk(links, &sum, 1,
+                [&](const LinkRange &lines) { add_elastic_energy(core.particles, links, law, lines, sum); });
       return sum;
     }
 
@@ -148,13 +142,13 @@ namespace dem
     if (s.step_count == 0)
       {
         e.kinetic = s.kinetic_of_velocities();
-        e.initial = e.kinetic + s.book.stored_at_start + elastic_energy_of(s, s.contacts, *s.contact_law) +
-                    of_surfaces.stored;
+        e.initial =
+          e.kinetic + s.book.stored_at_start + elastic_energy_of(s, s.contacts, *s.contact_law) + of_surfaces.stored;
       }
     else
       for (const auto &block : s.accounts)
         e.kinetic += block.kinetic;
-    e.elastic  = elastic_energy_of(s, s.bonds, *s.bond_law) + elastic_energy_of(s, s.contacts, *s.contact_law) +
+    e.elastic = elastic_energy_of(s, s.bonds, *s.bond_law) + elastic_energy_of(s, s.contacts, *s.contact_law) +
                 of_surfaces.stored;
     e.damage   = damage_of_bonds(s) + s.cracks.dissipated() + of_surfaces.damage;
     e.friction = plastic_dissipation(s.bonds) + plastic_dissipation(s.contacts) + of_surfaces.friction;
@@ -226,8 +220,8 @@ namespace dem
     const std::size_t            n = p.count;
     std::vector<double>          damage(n, 0.0);
     std::vector<Eigen::Matrix3d> moments(n, Eigen::Matrix3d::Zero());
-    const bool in_parts = !self->has_all_links();
-    const auto lines_of = [in_parts](const LinkSet &links) {
+    const bool                   in_parts = !self->has_all_links();
+    const auto                   lines_of = [in_parts](const LinkSet &links) {
       return in_parts ? updated_lines(links) : std::vector<LinkRange>{all_lines(links)};
     };
     for (const LinkSet *links : {&self->bonds, &self->contacts})

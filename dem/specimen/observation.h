@@ -31,9 +31,6 @@ namespace dem
   public:
     const SpecimenParameters &parameters() const;
 
-    /** Among several ranks (Specimen::share_among()): let each have all of it, so that it can read alone until the next step. All call this. */
-    void gather() const;
-
     std::int64_t steps() const;     ///< taken since the start
     double       time() const;      ///< [s]
     double       time_step() const; ///< [s], in use

@@ -12,13 +12,15 @@ namespace dem
     if (!shared)
       return;
     gather_particles();
-    shared->gather_bonds(bonds);
-    shared->gather_contacts(contacts);
+    if (shared->lacks_bonds())
+      shared->gather_bonds(bonds);
+    if (shared->lacks_contacts())
+      shared->gather_contacts(contacts);
   }
 
   void SpecimenCore::gather_particles()
   {
-    if (!shared)
+    if (!shared || !shared->lacks_particles())
       return;
     gather_places();
     shared->gather_particles(particles);

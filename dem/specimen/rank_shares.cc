@@ -3,6 +3,7 @@
 #include "dem/model/column_memory.h"
 #include "dem/specimen/core.h"
 #include "dem/specimen/inside.h"
+#include "dem/specimen/observation.h"
 
 #include <algorithm>
 
@@ -52,5 +53,11 @@ namespace dem
     held += of_motion * static_cast<double>(share.end_particle - share.first_particle + share.ghosts.size()) /
             static_cast<double>(core.particles.count);
     return static_cast<std::size_t>(all - shared - of_motion + held);
+  }
+
+  std::vector<RankMemory> memory_of_ranks(const ObservedSpecimen &specimen)
+  {
+    const SpecimenCore &core = core_in_parts_of(specimen);
+    return core.shares() ? core.shared->memory(core.particles, core.bonds, core.contacts) : std::vector<RankMemory>{};
   }
 } // namespace dem

@@ -5,7 +5,9 @@
 #include "dem/specimen/shared_work.h"
 
 #include <algorithm>
+#include <cstring>
 #include <limits>
+#include <tuple>
 #include <utility>
 
 namespace dem
@@ -74,9 +76,22 @@ namespace dem
           take_small_pages(column, number(begin.front()), number(begin[rank()]));
           take_small_pages(column, number(begin[rank() + 1]), number(begin.back()));
         }
+    });
+    drop_others(links);
+    share.lean = given_back = true;
+  }
+
+  void SharedWork::drop_others(LinkSet &links)
+  {
+    each_column_of_state(links, [&](base::Column &column, const std::size_t numbers) {
       drop_lines(column, numbers, links, {0, links.first.size(), 0, true});
     });
-    share.lean = given_back = true;
+  }
+
+  void SharedWork::drop_others(Particles &particles)
+  {
+    for (base::Column *column : records_of_motion(particles))
+      drop_records(*column, particles.count);
   }
 
   void SharedWork::keep_own(Particles &particles, const std::vector<std::int32_t> &also)
@@ -91,8 +106,8 @@ namespace dem
       {
         take_small_pages(*column, 0, record_size * static_cast<std::size_t>(first()));
         take_small_pages(*column, record_size * static_cast<std::size_t>(last()), record_size * particles.count);
-        drop_records(*column, particles.count);
       }
+    drop_others(particles);
     lean = masses_absent = given_back = true;
     with_masses.clear();
   }
@@ -117,8 +132,30 @@ namespace dem
 
   // --- To read all of it ---
 
+  void SharedWork::gather_on_first(char *array, const std::vector<std::size_t> &begin)
+  {
+    constexpr std::size_t at_once = std::size_t(8) << 20; // a message is a copy
+    for (std::size_t r = 1; r < size(); ++r)
+      for (std::size_t at = begin[r]; at < begin[r + 1]; at += at_once)
+        {
+          std::vector<RankMessage> from_here, at_first;
+          const std::size_t        part = std::min(at_once, begin[r + 1] - at);
+          if (rank() == r)
+            std::memcpy(
+              from_here.emplace_back(RankMessage{0, std::vector<double>(part / sizeof(double))}).numbers.data(),
+              array + at, part);
+          if (rank() == 0)
+            at_first.push_back({r, std::vector<double>(part / sizeof(double))});
+          ranks->exchange(from_here, at_first);
+          if (rank() == 0)
+            std::memcpy(array + at, at_first.front().numbers.data(), part);
+        }
+  }
+
   void SharedWork::gather(void *array, const std::vector<std::size_t> &begin)
   {
+    if (to_first)
+      return gather_on_first(static_cast<char *>(array), begin);
     bytes += static_cast<std::int64_t>(begin[rank() + 1] - begin[rank()]);
     ++messages;
     ranks->gather(array, begin);
@@ -183,8 +220,32 @@ namespace dem
     share.lean = false;
   }
 
+  void SharedWork::let_first_read(const std::function<void()> &gather_all)
+  {
+    auto       here   = std::tie(places_stale, rates_stale, lean, masses_absent, since_read, of_bonds, of_contacts);
+    const auto before = std::tuple(places_stale, rates_stale, lean, masses_absent, since_read, of_bonds, of_contacts);
+    to_first          = true;
+    gather_all();
+    to_first    = false;
+    here        = before; // of all ranks alike: they go on as if nothing had been gathered
+    reads_alone = rank() == 0;
+  }
+
+  void SharedWork::let_go(Particles &particles, LinkSet &bonds, LinkSet &contacts)
+  {
+    if (!std::exchange(reads_alone, false))
+      return;
+    for (const auto &[links, share] : {std::pair(&bonds, &of_bonds), std::pair(&contacts, &of_contacts)})
+      if (share->lean)
+        drop_others(*links);
+    if (lean)
+      drop_others(particles);
+  }
+
   void SharedWork::gather_accounts(LinkSet &bonds, LinkSet &contacts)
   {
+    if (reads_alone)
+      return;
     for (const auto &[links, share] : {std::pair(&bonds, &of_bonds), std::pair(&contacts, &of_contacts)})
       if (links->in_parts && share->stale && links->count > 0)
         gather_blocks(links->accounts.data(), sizeof(LinkBlockAccount), *share);

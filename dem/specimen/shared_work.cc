@@ -63,7 +63,7 @@ namespace dem
     keep_own(bonds, of_bonds);
     keep_own(contacts, of_contacts);
     if (std::exchange(given_back, false))
-      memory = static_cast<std::int64_t>(resident_bytes(particles, {&bonds, &contacts}));
+      in_steps = static_cast<std::int64_t>(resident_bytes(particles, {&bonds, &contacts}));
     of_bonds.stale = of_contacts.stale = true;
   }
 

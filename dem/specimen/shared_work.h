@@ -5,6 +5,7 @@
 #include "dem/model/particles.h"
 #include "dem/ranks/exact_sum.h"
 #include "dem/ranks/ranks.h"
+#include "dem/specimen/rank_shares.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -49,7 +50,9 @@ namespace dem
     std::int32_t   last() const { return particle_begin[rank() + 1]; } ///< behind its particles
     bool           owns(const std::int32_t particle) const { return particle >= first() && particle < last(); }
     /** Of each rank. */
-    std::vector<RankWork> work(const Particles &particles, const LinkSet &bonds, const LinkSet &contacts) const;
+    std::vector<RankWork> work(const LinkSet &bonds, const LinkSet &contacts) const;
+    /** What particles and links take up in each rank. */
+    std::vector<RankMemory> memory(const Particles &particles, const LinkSet &bonds, const LinkSet &contacts) const;
 
     // --- In a step ---
 
@@ -78,10 +81,13 @@ namespace dem
     // --- To read all of it ---
 
     /** Whether some of it is out of date here, or absent. */
-    bool lacks_places() const { return places_stale; }
-    bool lacks_particles() const { return places_stale || rates_stale || masses_absent; }
-    bool lacks_bonds() const { return of_bonds.stale; }
-    bool lacks_contacts() const { return of_contacts.stale; }
+    bool lacks_places() const { return places_stale && !reads_alone; }
+    bool lacks_particles() const { return (places_stale || rates_stale || masses_absent) && !reads_alone; }
+    bool lacks_bonds() const { return of_bonds.stale && !reads_alone; }
+    bool lacks_contacts() const { return of_contacts.stale && !reads_alone; }
+    /** What is gathered goes to the first rank alone, which then reads alone until it lets go. */
+    void let_first_read(const std::function<void()> &gather_all);
+    void let_go(Particles &particles, LinkSet &bonds, LinkSet &contacts);
     void gather_places(Particles &particles); ///< and the motion of the last step
     /** Particles were put elsewhere, each by its own rank at least. */
     void places_changed() { places_stale = true; }
@@ -108,10 +114,10 @@ namespace dem
     /** Whose the blocks of a set are. */
     struct SetShare
     {
-      std::vector<std::vector<std::size_t>> block_begin;   ///< of each law, of each rank and behind the last
-      bool                                  stale = false; ///< others' blocks are out of date here
-      bool                                  lean  = false; ///< and they have no memory
-      std::vector<std::size_t>              borrowed;      ///< but these, in which something happened
+      std::vector<std::vector<std::size_t>> block_begin;    ///< of each law, of each rank and behind the last
+      bool                                  stale = false;  ///< others' blocks are out of date here
+      bool                                  lean  = false;  ///< and they have no memory
+      std::vector<std::size_t>              borrowed;       ///< but these, in which something happened
       std::int64_t                          since_read = 0; ///< steps since they were made or gathered
     };
 
@@ -127,20 +133,23 @@ namespace dem
     void gather_links(LinkSet &links, SetShare &share);
     void gather_column(base::Column &column, std::size_t numbers_of_line, const SetShare &share);
     void relay(const std::vector<std::size_t> &begin, const OfLines &use, double *numbers, std::size_t count);
-    void relay_lines(const LinkSet &links, const SetShare &share, const OfLines &use, double *numbers, std::size_t count);
-    void with_column(base::Column                &column,
-                     const LinkSet               &links,
-                     const SetShare              &share,
-                     const std::function<void()> &read);
+    void
+    relay_lines(const LinkSet &links, const SetShare &share, const OfLines &use, double *numbers, std::size_t count);
+    void
+    with_column(base::Column &column, const LinkSet &links, const SetShare &share, const std::function<void()> &read);
     /** Give back the memory of what others have, unless it is read again and again. */
     void keep_own(LinkSet &links, SetShare &share);
+    void drop_others(LinkSet &links);
+    void drop_others(Particles &particles);
     void keep_own(Particles &particles, const std::vector<std::int32_t> &also);
     /** Count a step. @return whether what was made or gathered so many steps ago may go */
     bool may_go(std::int64_t &since_read) const;
     void drop(base::Column &column, std::size_t begin, std::size_t end) const;
-    void drop_lines(base::Column &column, std::size_t numbers_of_line, const LinkSet &links, const LinkPart &among) const;
+    void
+    drop_lines(base::Column &column, std::size_t numbers_of_line, const LinkSet &links, const LinkPart &among) const;
     void drop_records(base::Column &column, std::size_t particles) const;
     void gather(void *array, const std::vector<std::size_t> &begin);
+    void gather_on_first(char *array, const std::vector<std::size_t> &begin);
     /** Records of some particles of which each rank has its own. @param of ascending @param numbers of each record that count */
     void        gather_records(const std::vector<base::Column *> &columns, const std::vector<std::int32_t> &of);
     std::size_t owner_of(std::int32_t particle) const;
@@ -160,9 +169,11 @@ namespace dem
     bool                                   places_stale = false, rates_stale = false;
     bool                                   lean          = false; ///< the rest of them have none but for their places
     bool                                   masses_absent = false; ///< no rank has others' inverse masses
-    std::int64_t                           since_read   = 0;     ///< steps since they were gathered
-    bool                                   given_back   = false; ///< memory, since that in steps was measured
-    std::int64_t                           memory       = 0;     ///< in steps [B]
+    std::int64_t                           since_read    = 0;     ///< steps since they were gathered
+    bool                                   to_first      = false; ///< what is gathered goes to the first rank alone
+    bool                                   reads_alone   = false; ///< this is the first rank, and has been given all
+    bool                                   given_back    = false; ///< memory, since that in steps was measured
+    std::int64_t                           in_steps      = 0;     ///< memory that particles and links took up then [B]
     std::int64_t                           messages = 0, bytes = 0;
   };
 } // namespace dem

@@ -26,6 +26,18 @@ namespace dem
         of.emplace_back(links.first_block[k], links.first_block[k + 1]);
       return of;
     }
+
+    template <typename Record>
+    std::vector<Record> of_each_rank(Ranks &ranks, const Record &own)
+    {
+      std::vector<Record>      all(ranks.size());
+      std::vector<std::size_t> begin;
+      for (std::size_t r = 0; r <= ranks.size(); ++r)
+        begin.push_back(r * sizeof(Record));
+      all[ranks.rank()] = own;
+      ranks.gather(all.data(), begin);
+      return all;
+    }
   } // namespace
 
   std::size_t SharedWork::owner_of(const std::int32_t particle) const
@@ -163,8 +175,7 @@ namespace dem
     bonds.in_parts = contacts.in_parts = false;
   }
 
-  std::vector<RankWork>
-  SharedWork::work(const Particles &particles, const LinkSet &bonds, const LinkSet &contacts) const
+  std::vector<RankWork> SharedWork::work(const LinkSet &bonds, const LinkSet &contacts) const
   {
     RankWork own;
     own.particles = last() - first();
@@ -176,16 +187,17 @@ namespace dem
         own.ghosts += static_cast<std::int64_t>(ghosts[r].size());
         own.neighbours += ghosts[r].empty() && sent[r].empty() ? 0 : 1;
       }
-    own.messages   = messages;
-    own.bytes      = bytes;
-    own.memory_now = static_cast<std::int64_t>(resident_bytes(particles, {&bonds, &contacts}));
-    own.memory     = memory > 0 ? memory : own.memory_now;
-    std::vector<RankWork>    all(size());
-    std::vector<std::size_t> begin;
-    for (std::size_t r = 0; r <= size(); ++r)
-      begin.push_back(r * sizeof(RankWork));
-    all[rank()] = own;
-    ranks->gather(all.data(), begin);
-    return all;
+    own.messages = messages;
+    own.bytes    = bytes;
+    return of_each_rank(*ranks, own);
+  }
+
+  std::vector<RankMemory>
+  SharedWork::memory(const Particles &particles, const LinkSet &bonds, const LinkSet &contacts) const
+  {
+    RankMemory own;
+    own.now      = static_cast<std::int64_t>(resident_bytes(particles, {&bonds, &contacts}));
+    own.in_steps = in_steps > 0 ? in_steps : own.now;
+    return of_each_rank(*ranks, own);
   }
 } // namespace dem

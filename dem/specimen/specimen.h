@@ -58,7 +58,7 @@ namespace dem
     void set_damping(double damping);
     /**
      * Share the work of steps with other ranks, which have the same specimen and make the same calls from now on (doc/theory/ranks.md). What is
-     * read of it then is gathered from all of them, so all must read it, or call gather() first; readings that say they are cheap are not.
+     * read of it then is gathered from all of them, so all must read it; readings that say they are cheap are not.
      * @param move_every steps after which other ranks get other parts, for tests; 0: never
      */
     void share_among(std::shared_ptr<Ranks> ranks, std::int64_t move_every = 0);
