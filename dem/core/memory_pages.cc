@@ -70,4 +70,18 @@ namespace dem
   void        take_small_pages(base::Column &, std::size_t, std::size_t) {}
   std::size_t resident_bytes(const base::Column &column) { return sizeof(double) * column.size(); }
 #endif
+
+  void assign_zeros(base::Column &column, const std::size_t n)
+  {
+    constexpr std::size_t at_once = std::size_t(4) << 20; // as many are written before they are given back
+    column.clear();
+    column.reserve(n);
+    for (std::size_t begin = 0; begin < n; begin += at_once)
+      {
+        const std::size_t end = std::min(begin + at_once, n);
+        column.resize(end, 0.0);
+        if (n > at_once)
+          give_back(column, begin, end);
+      }
+  }
 } // namespace dem

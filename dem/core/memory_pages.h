@@ -12,6 +12,9 @@ namespace dem
    */
   void give_back(base::Column &column, std::size_t begin, std::size_t end);
 
+  /** Zeros, as many as n, that take no memory before they are written, where they are many. */
+  void assign_zeros(base::Column &column, std::size_t n);
+
   /** Let numbers of a column take memory page by page, rather than in large pieces of which most may stay empty. */
   void take_small_pages(base::Column &column, std::size_t begin, std::size_t end);
 

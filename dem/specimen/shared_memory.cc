@@ -56,6 +56,29 @@ namespace dem
     });
   }
 
+  void SharedWork::take_small_pages_of_others(LinkSet &links, const SetShare &share) const
+  {
+    each_column_of_state(links, [&](base::Column &column, const std::size_t numbers) {
+      for (const auto &begin : share.block_begin)
+        {
+          const auto number = [&](const std::size_t block) {
+            return numbers * std::min(block * links_per_block, links.first.size());
+          };
+          take_small_pages(column, number(begin.front()), number(begin[rank()]));
+          take_small_pages(column, number(begin[rank() + 1]), number(begin.back()));
+        }
+    });
+  }
+
+  void SharedWork::take_small_pages_of_others(Particles &particles) const
+  {
+    for (base::Column *column : records_of_motion(particles))
+      {
+        take_small_pages(*column, 0, record_size * static_cast<std::size_t>(first()));
+        take_small_pages(*column, record_size * static_cast<std::size_t>(last()), record_size * particles.count);
+      }
+  }
+
   bool SharedWork::may_go(std::int64_t &since) const { return since++ >= steps_between_readings || move_every > 0; }
 
   void SharedWork::keep_own(LinkSet &links, SetShare &share)
@@ -67,16 +90,6 @@ namespace dem
         });
     if (share.lean || !may_go(share.since_read))
       return;
-    each_column_of_state(links, [&](base::Column &column, const std::size_t numbers) {
-      for (const auto &begin : share.block_begin)
-        {
-          const auto number = [&](const std::size_t block) {
-            return numbers * std::min(block * links_per_block, links.first.size());
-          };
-          take_small_pages(column, number(begin.front()), number(begin[rank()]));
-          take_small_pages(column, number(begin[rank() + 1]), number(begin.back()));
-        }
-    });
     drop_others(links);
     share.lean = given_back = true;
   }
@@ -102,11 +115,6 @@ namespace dem
     for (const std::vector<std::int32_t> &of : ghosts)
       kept.insert(kept.end(), of.begin(), of.end());
     std::sort(kept.begin(), kept.end());
-    for (base::Column *column : records_of_motion(particles))
-      {
-        take_small_pages(*column, 0, record_size * static_cast<std::size_t>(first()));
-        take_small_pages(*column, record_size * static_cast<std::size_t>(last()), record_size * particles.count);
-      }
     drop_others(particles);
     lean = masses_absent = given_back = true;
     with_masses.clear();

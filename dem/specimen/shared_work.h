@@ -39,7 +39,7 @@ namespace dem
     // --- What is whose ---
 
     /** Share out sets of links that have been sorted out anew, if any. @pre such a set is up to date, and with bonds all particles are */
-    void plan(const Particles &particles, LinkSet &bonds, LinkSet &contacts);
+    void plan(Particles &particles, LinkSet &bonds, LinkSet &contacts);
     /** Whether ranges are to be changed before a step, given by its number. */
     bool changes_ranges(std::int64_t step) const { return move_every > 0 && step > 0 && step % move_every == 0; }
     /** Change them with the next plan(). @pre all is up to date */
@@ -138,6 +138,8 @@ namespace dem
     void
     with_column(base::Column &column, const LinkSet &links, const SetShare &share, const std::function<void()> &read);
     /** Give back the memory of what others have, unless it is read again and again. */
+    void take_small_pages_of_others(LinkSet &links, const SetShare &share) const;
+    void take_small_pages_of_others(Particles &particles) const;
     void keep_own(LinkSet &links, SetShare &share);
     void drop_others(LinkSet &links);
     void drop_others(Particles &particles);

@@ -98,6 +98,7 @@ namespace dem
         share.block_begin.push_back(std::move(begin));
       }
     append_copies(links, share);
+    take_small_pages_of_others(links, share);
     links.in_parts = true;
     share.stale = share.lean = false;
     share.since_read         = 0;
@@ -154,7 +155,7 @@ namespace dem
           messages_of->push_back({r, std::vector<double>(numbers_of_ghost * count)});
   }
 
-  void SharedWork::plan(const Particles &particles, LinkSet &bonds, LinkSet &contacts)
+  void SharedWork::plan(Particles &particles, LinkSet &bonds, LinkSet &contacts)
   {
     if (bonds.in_parts && contacts.in_parts)
       return;
@@ -164,6 +165,7 @@ namespace dem
         share_out(bonds, of_bonds);
         lean       = false;
         since_read = 0;
+        take_small_pages_of_others(particles);
       }
     share_out(contacts, of_contacts);
     find_ghosts(particles, bonds, contacts);
