@@ -23,6 +23,7 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <fstream>
 #include <functional>
 #include <random>
 #include <string>
@@ -233,9 +234,68 @@ namespace apps
     }
   } // namespace
 
+  namespace
+  {
+    /** What the system says of this process [B]; 0 where it says nothing. @param line of /proc/self/status */
+    double process_memory(const std::string &line)
+    {
+      std::ifstream status("/proc/self/status");
+      for (std::string name; status >> name; std::getline(status, name))
+        if (name == line + ":")
+          {
+            double kilobytes = 0;
+            status >> kilobytes;
+            return 1024 * kilobytes;
+          }
+      return 0;
+    }
+
+    struct RankMemory
+    {
+      double specimen = 0;             ///< of particles and links while steps are taken [B]
+      double process = 0, at_most = 0; ///< of the process then, and at most since it began [B]
+    };
+
+    int run_memory(const RanksBench &bench)
+    {
+      dem::Specimen body = cube_of_lattice(bench.quick ? 16 : bench.cells);
+      share_among_ranks(body);
+      const double                       seconds = seconds_of_steps(body, bench.memory_steps);
+      const double                       mine[]  = {process_memory("VmRSS"), process_memory("VmHWM")};
+      std::vector<RankMemory>            of(static_cast<std::size_t>(rank_count()));
+      const std::vector<dem::RankMemory> held = dem::memory_of_ranks(body);
+      std::vector<double>                all(2 * of.size(), 0.0);
+      std::copy_n(mine, 2, all.data());
+      if (rank_count() > 1)
+        MPI_Allgather(mine, 2, MPI_DOUBLE, all.data(), 2, MPI_DOUBLE, MPI_COMM_WORLD);
+      RankMemory sum;
+      for (std::size_t r = 0; r < of.size(); ++r)
+        {
+          of[r] = {static_cast<double>(held.empty() ? static_cast<std::int64_t>(body.bytes()) : held[r].in_steps),
+                   all[2 * r], all[2 * r + 1]};
+          sum   = {sum.specimen + of[r].specimen, sum.process + of[r].process, sum.at_most + of[r].at_most};
+        }
+      const dem::Counts counts = body.counts();
+      if (!is_first_rank())
+        return exit_success;
+      fmt::print("{} particles, {} links, {} steps of {:.4g} s\n\n| Rank | Particles and links [MB] | Process while "
+                 "steps are taken [MB] | At most since it began [MB] |\n|---|---|---|---|\n",
+                 counts.particles, counts.links, bench.memory_steps, seconds);
+      const auto row = [](const std::string &name, const RankMemory &m) {
+        fmt::print("| {} | {:.0f} | {:.0f} | {:.0f} |\n", name, 1e-6 * m.specimen, 1e-6 * m.process, 1e-6 * m.at_most);
+      };
+      for (std::size_t r = 0; r < of.size(); ++r)
+        row(fmt::format("{}", r), of[r]);
+      row("all", sum);
+      return exit_success;
+    }
+  } // namespace
+
   int run_ranks_bench(const RanksBench &bench)
   {
     start_mpi_for_ranks();
+    if (bench.memory_steps > 0)
+      return run_memory(bench);
     if (rank_count() > 1)
       return run_shared_steps(bench);
     const BenchResults results(bench.folder, "ranks");

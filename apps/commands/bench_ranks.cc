@@ -12,6 +12,10 @@ namespace apps
     command.folder();
     command.option("--cells", &RanksBench::cells, "N", "Lattice cells along each edge, of four particles; default: 63")
       .check(CLI::Range(4, 400));
+    command
+      .option("--memory", &RanksBench::memory_steps, "STEPS",
+              "Take so many steps, under mpirun or without, and say what memory each rank takes up")
+      .check(CLI::Range(1, 1000000));
     command.flag("--quick", &RanksBench::quick, "16 lattice cells along each edge");
     command.runs(chosen, run_ranks_bench);
   }

@@ -107,10 +107,7 @@ namespace apps
     {
       const Progress progress(stage() + ", results");
       test->complete();
-      on_first_rank([this] {
-        if (!location.empty())
-          test->write(location);
-      });
+      test->write(location);
       complete.push_back(test->result);
       if (finished())
         return;

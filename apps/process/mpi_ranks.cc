@@ -1,6 +1,7 @@
 #include "apps/process/mpi_ranks.h"
 
 #include "apps/process/mpi_session.h"
+#include "apps/process/rank_meetings.h"
 #include "dem/ranks/ranks.h"
 #include "dem/specimen/specimen.h"
 
@@ -33,11 +34,13 @@ namespace apps
 
       void largest(double *numbers, const std::size_t count) override
       {
+        meet("largest of numbers", count);
         MPI_Allreduce(MPI_IN_PLACE, numbers, static_cast<int>(count), MPI_DOUBLE, MPI_MAX, MPI_COMM_WORLD);
       }
 
       void gather(void *array, const std::vector<std::size_t> &begin) override
       {
+        meet("gather", begin.back());
         std::vector<int> counts(all), places(all);
         for (std::size_t r = 0; r < all; ++r)
           {
@@ -50,6 +53,7 @@ namespace apps
 
       void exchange(const std::vector<dem::RankMessage> &sent, std::vector<dem::RankMessage> &received) override
       {
+        meet("exchange");
         std::vector<MPI_Request> requests;
         for (dem::RankMessage &message : received)
           MPI_Irecv(message.numbers.data(), static_cast<int>(message.numbers.size()), MPI_DOUBLE,
@@ -62,6 +66,7 @@ namespace apps
 
       std::vector<std::vector<std::int32_t>> deliver(const std::vector<std::vector<std::int32_t>> &lists) override
       {
+        meet("deliver");
         std::vector<int>          sizes(all), places(all), sizes_here(all), places_here(all);
         std::vector<std::int32_t> flat;
         for (std::size_t r = 0; r < all; ++r)

@@ -1,6 +1,7 @@
 #include "apps/process/mpi_session.h"
 
 #include "apps/process/interrupt.h"
+#include "apps/process/rank_meetings.h"
 #include "base/errors.h"
 #include "base/solver_turns.h"
 #include "postprocess/files/errors.h"
@@ -15,7 +16,9 @@
 #include <ctime>
 #include <filesystem>
 #include <memory>
+#include <stdexcept>
 #include <string>
+#include <vector>
 
 namespace apps
 {
@@ -73,8 +76,36 @@ namespace apps
       std::string                  before; ///< empty: it has not been changed
     };
 
-    /** For those that have failed, apart from what others still say to each other. */
-    MPI_Comm failures = MPI_COMM_NULL;
+    /** For those that have failed, and for comparing, apart from what others still say to each other. */
+    MPI_Comm failures = MPI_COMM_NULL, comparisons = MPI_COMM_NULL;
+
+    /** The first rank does something that the others do not. */
+    bool acts_alone = false;
+
+    struct ActsAlone
+    {
+      ActsAlone() { acts_alone = true; }
+      ~ActsAlone() { acts_alone = false; }
+      ActsAlone(const ActsAlone &)            = delete;
+      ActsAlone &operator=(const ActsAlone &) = delete;
+    };
+
+    /** What a rank is about to say, as others compare it. */
+    using Topic = std::array<char, 64>;
+
+    void compare(const std::string &what)
+    {
+      const auto         ranks = static_cast<std::size_t>(rank_count());
+      Topic              mine{};
+      std::vector<Topic> all(ranks);
+      what.copy(mine.data(), mine.size() - 1);
+      MPI_Allgather(mine.data(), static_cast<int>(mine.size()), MPI_CHAR, all.data(), static_cast<int>(mine.size()),
+                    MPI_CHAR, comparisons);
+      for (std::size_t r = 1; r < ranks; ++r)
+        if (all[r] != all[0])
+          throw std::logic_error(std::string("ranks: the first is at \"") + all[0].data() + "\" and rank " +
+                                 std::to_string(r) + " at \"" + all[r].data() + "\"");
+    }
 
     enum Failure : int
     {
@@ -115,6 +146,8 @@ namespace apps
     base::LoadedOpenBlas().use_one_thread(); // for the solvers of PETSc and Trilinos as well
     if (rank_count() > 1)
       MPI_Comm_dup(MPI_COMM_WORLD, &failures);
+    if (rank_count() > 1 && std::getenv("BRECCIA_CHECK_RANKS"))
+      MPI_Comm_dup(MPI_COMM_WORLD, &comparisons);
     sigaction(SIGINT, &handlers[0], nullptr);
     sigaction(SIGTERM, &handlers[1], nullptr);
   }
@@ -137,12 +170,30 @@ namespace apps
 
   int rank_count() { return session() ? static_cast<int>(dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD)) : 1; }
 
+  void meet(const char *what, const std::size_t size)
+  {
+    if (acts_alone && rank_count() > 1)
+      throw std::logic_error(std::string("ranks: the first says \"") + what + "\" alone, and the others wait for it");
+    if (comparisons != MPI_COMM_NULL)
+      compare(std::string(what) + ", " + std::to_string(size));
+  }
+
+  void take_from_first_rank(base::Column &numbers)
+  {
+    meet("take from the first rank");
+    const auto all =
+      dealii::Utilities::MPI::broadcast(MPI_COMM_WORLD, std::vector<double>(numbers.begin(), numbers.end()));
+    numbers.assign(all.begin(), all.end());
+  }
+
   void on_first_rank(const std::function<void()> &action)
   {
+    meet("on the first rank");
     std::pair<int, std::string> outcome{Failure::none, ""};
     if (is_first_rank())
       try
         {
+          const ActsAlone alone;
           action();
         }
       catch (const base::InputError &error)
@@ -172,6 +223,7 @@ namespace apps
 
   double largest_of_ranks(const double here)
   {
+    meet("largest");
     return rank_count() > 1 ? dealii::Utilities::MPI::max(here, MPI_COMM_WORLD) : here;
   }
 
@@ -209,6 +261,7 @@ namespace apps
 
   bool on_any_rank(const bool here)
   {
+    meet("on any rank");
     return rank_count() > 1 ? dealii::Utilities::MPI::max(here ? 1 : 0, MPI_COMM_WORLD) == 1 : here;
   }
 } // namespace apps

@@ -7,10 +7,13 @@
 #include "apps/results/shared_state.h"
 #include "base/errors.h"
 #include "dem/specimen/observation.h"
+#include "dem/specimen/rank_shares.h"
+#include "dem/specimen/read_by_first.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 
 namespace apps
 {
@@ -60,14 +63,17 @@ namespace apps
   {
     void append_shares(nlohmann::json &summary, const dem::ObservedSpecimen &specimen)
     {
-      for (const dem::RankWork &rank : specimen.shares())
-        summary["ranks"].push_back({{"particles", rank.particles},
-                                    {"links", rank.links},
-                                    {"copied_links", rank.copies},
-                                    {"ghosts", rank.ghosts},
-                                    {"neighbours", rank.neighbours},
-                                    {"messages", rank.messages},
-                                    {"bytes", rank.bytes}});
+      const std::vector<dem::RankWork>   work   = specimen.shares();
+      const std::vector<dem::RankMemory> memory = dem::memory_of_ranks(specimen);
+      for (std::size_t r = 0; r < work.size(); ++r)
+        summary["ranks"].push_back({{"particles", work[r].particles},
+                                    {"links", work[r].links},
+                                    {"copied_links", work[r].copies},
+                                    {"ghosts", work[r].ghosts},
+                                    {"neighbours", work[r].neighbours},
+                                    {"messages", work[r].messages},
+                                    {"bytes", work[r].bytes},
+                                    {"memory", memory[r].in_steps}});
     }
   } // namespace
 
@@ -290,6 +296,9 @@ namespace apps
       append_shares(found.summary, *found.specimen);
     if (keeps_files())
       {
+        std::optional<dem::ReadByFirst> reading;
+        if (found.specimen)
+          reading.emplace(*found.specimen);
         by_those_who_write([&] { work.write_results(location, result.series); });
         on_first_rank([&] { files->publish(found.summary); });
       }

@@ -36,9 +36,14 @@ namespace apps
     const dem::Network                network;
     const double                      alone = all.work - static_cast<double>(all.copied),
                  particles                  = static_cast<double>(body.counts().particles);
-    std::string text                        = fmt::format(
-                             "  ranks        {}, of {} to {} bricks of {} particles; each holds all of them, {:.0f} MB\n", ranks,
-                             all.least_bricks, all.most_bricks, dem::particles_per_brick, 1e-6 * static_cast<double>(body.bytes()));
+    std::size_t most_bytes                  = 0;
+    for (const dem::RankShare &share : shares)
+      most_bytes = std::max(most_bytes, dem::least_bytes(body, share));
+    std::string text = fmt::format("  ranks        {}, of {} to {} bricks of {} particles\n", ranks, all.least_bricks,
+                                   all.most_bricks, dem::particles_per_brick);
+    text += fmt::format("  memory       {:.3g} MB of particles and links in a rank, and {:.3g} MB where all is read at "
+                        "once\n",
+                        1e-6 * static_cast<double>(most_bytes), 1e-6 * static_cast<double>(body.bytes()));
     text +=
       fmt::format("  shares       {} links and {} copies of cut ones ({:.2g} %); the largest has {:.2f} times the "
                   "mean work\n",

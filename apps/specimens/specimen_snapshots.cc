@@ -1,7 +1,9 @@
 #include "apps/specimens/specimen_snapshots.h"
 
+#include "apps/process/mpi_session.h"
 #include "apps/results/snapshots.h"
 #include "dem/observation/link_images.h"
+#include "dem/specimen/read_by_first.h"
 #include "postprocess/vtk/break_log.h"
 #include "postprocess/vtk/vtk_links.h"
 #include "postprocess/vtk/vtk_particles.h"
@@ -22,6 +24,9 @@ namespace apps
 
   void SpecimenSnapshots::take(const dem::ObservedSpecimen &specimen)
   {
+    if (!on_any_rank(wanted()))
+      return;
+    const dem::ReadByFirst reading(specimen);
     if (!wanted())
       return;
     const dem::ParticleOutput state  = specimen.particles();

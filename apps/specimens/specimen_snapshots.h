@@ -23,7 +23,7 @@ namespace apps
     /** @throws postprocess::OutputError. */
     void open(const std::filesystem::path &folder, const std::string &name, const ShownBesides &besides = {});
     bool wanted() const { return particles.has_value(); }
-    /** If wanted. @throws postprocess::OutputError. */
+    /** If wanted, by the rank that has opened them; all ranks call this. @throws postprocess::OutputError. */
     void take(const dem::ObservedSpecimen &specimen);
     /** The lists of what was taken. */
     void visit_state(RunState &state);

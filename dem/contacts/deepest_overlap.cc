@@ -20,14 +20,26 @@ namespace dem
   DeepestOverlap deepest_overlap(const Particles &particles, const LinkSet &bonds, const LinkSet &contacts)
   {
     DeepestOverlap deepest;
-    for (std::size_t l = 0; l < contacts.count; ++l)
-      if (contacts.is_alive(l))
-        measure_overlap(particles, contacts, l, deepest);
-    if (bonds.logs_breaks)
-      for (std::size_t l = 0; l < bonds.count; ++l)
-        if (bonds.is_alive(l) && bonds.is_broken(l) &&
-            particles.cut_between(bonds.first[l], bonds.second[l]) == nullptr)
-          measure_overlap(particles, bonds, l, deepest);
+    find_deeper_contact(particles, contacts, all_lines(contacts), deepest);
+    find_deeper_bond(particles, bonds, all_lines(bonds), deepest);
     return deepest;
+  }
+
+  void find_deeper_contact(const Particles &particles,
+                           const LinkSet   &contacts,
+                           const LinkRange &lines,
+                           DeepestOverlap  &deepest)
+  {
+    each_living(contacts, lines, [&](const std::size_t l) { measure_overlap(particles, contacts, l, deepest); });
+  }
+
+  void
+  find_deeper_bond(const Particles &particles, const LinkSet &bonds, const LinkRange &lines, DeepestOverlap &deepest)
+  {
+    if (bonds.logs_breaks)
+      each_living(bonds, lines, [&](const std::size_t l) {
+        if (bonds.is_broken(l) && particles.cut_between(bonds.first[l], bonds.second[l]) == nullptr)
+          measure_overlap(particles, bonds, l, deepest);
+      });
   }
 } // namespace dem

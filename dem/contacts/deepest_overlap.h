@@ -1,5 +1,6 @@
 #pragma once
 
+#include "dem/model/held_lines.h"
 #include "dem/model/links.h"
 #include "dem/model/particles.h"
 
@@ -22,4 +23,11 @@ namespace dem
    * is that of surfaces that touch, or where the law makes contacts without force where they are, that at their birth.
    */
   DeepestOverlap deepest_overlap(const Particles &particles, const LinkSet &bonds, const LinkSet &contacts);
+  /** The same of some contacts, or bonds that broke in their place, where one is deeper than what was found before. */
+  void find_deeper_contact(const Particles &particles,
+                           const LinkSet   &contacts,
+                           const LinkRange &lines,
+                           DeepestOverlap  &deepest);
+  void
+  find_deeper_bond(const Particles &particles, const LinkSet &bonds, const LinkRange &lines, DeepestOverlap &deepest);
 } // namespace dem

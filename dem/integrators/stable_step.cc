@@ -1,6 +1,7 @@
 #include "dem/integrators/stable_step.h"
 
 #include "dem/measures/link_measures.h"
+#include "dem/model/held_lines.h"
 
 #include <algorithm>
 #include <cmath>
@@ -67,26 +68,27 @@ namespace dem
     }
   } // namespace
 
-  double stable_step(const Particles                &particles,
-                     const std::vector<LawfulLinks> &all,
-                     const bool                      rotations,
-                     const std::vector<double>      &of_surfaces,
-                     const double                    ahead)
+  double stable_step(const Particles                                          &particles,
+                     const std::vector<LawfulLinks>                           &all,
+                     const bool                                                rotations,
+                     const std::vector<double>                                &of_surfaces,
+                     const double                                              ahead,
+                     const std::optional<std::pair<std::size_t, std::size_t>> &among)
   {
-    std::vector<double> sum = of_surfaces;
+    const auto [first, last] = among.value_or(std::pair<std::size_t, std::size_t>(0, particles.count));
+    std::vector<double> sum  = of_surfaces;
     sum.resize(particles.count, 0.0);
     for (const LawfulLinks &of : all)
       {
         StiffnessSeen seen(particles, of, rotations, ahead);
-        for (std::size_t l = 0; l < of.links.count; ++l)
-          if (of.links.is_alive(l))
-            {
-              sum[of.links.first[l]] += seen(l, true);
-              sum[of.links.second[l]] += seen(l, false);
-            }
+        for (const LinkRange &lines : among ? updated_lines(of.links) : std::vector<LinkRange>{all_lines(of.links)})
+          each_living(of.links, lines, [&](const std::size_t l) {
+            sum[of.links.first[l]] += seen(l, true);
+            sum[of.links.second[l]] += seen(l, false);
+          });
       }
     double smallest = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < particles.count; ++i)
+    for (std::size_t i = first; i < last; ++i)
       if (sum[i] > 0 && particles.mass[i] > 0) // without mass: a partner moves it
         smallest = std::min(smallest, 2.0 * particles.mass[i] / sum[i]);
     return std::sqrt(smallest);

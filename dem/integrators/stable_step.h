@@ -5,6 +5,8 @@
 #include "dem/model/particles.h"
 
 #include <cstdint>
+#include <optional>
+#include <utility>
 #include <vector>
 
 namespace dem
@@ -26,12 +28,14 @@ namespace dem
  *
  * @param of_surfaces sum of kappa_c over contacts with surfaces, of each particle [N/m]; empty: none
  * @param ahead contacts whose stiffness grows count with an overlap larger by this than now [m]
+ * @param among first of the particles that count, and behind the last: those whose links this process updates, among several. None: all
  */
-  double stable_step(const Particles                &particles,
-                     const std::vector<LawfulLinks> &links,
-                     bool                            rotations,
-                     const std::vector<double>      &of_surfaces = {},
-                     double                          ahead       = 0);
+  double stable_step(const Particles                                          &particles,
+                     const std::vector<LawfulLinks>                           &links,
+                     bool                                                      rotations,
+                     const std::vector<double>                                &of_surfaces = {},
+                     double                                                    ahead       = 0,
+                     const std::optional<std::pair<std::size_t, std::size_t>> &among       = {});
 
   /** Sum of kappa_c over one particle's links, as the bound has it [N/m], in time proportional to their number. */
   double stiffness_around(const Particles                &particles,

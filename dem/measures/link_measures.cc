@@ -94,15 +94,19 @@ namespace dem
 
   double elastic_energy(const Particles &particles, const LinkSet &links, const LinkLaw &law)
   {
-    LinkReader reader(particles, links, law);
-    double     sum = 0;
-    for (std::size_t l = 0; l < links.count; ++l)
-      if (links.is_alive(l))
-        {
-          reader.read(l);
-          sum += reader.stored();
-        }
+    double sum = 0;
+    add_elastic_energy(particles, links, law, all_lines(links), sum);
     return sum;
+  }
+
+  void add_elastic_energy(
+    const Particles &particles, const LinkSet &links, const LinkLaw &law, const LinkRange &lines, double &sum)
+  {
+    LinkReader reader(particles, links, law);
+    each_living(links, lines, [&](const std::size_t l) {
+      reader.read(l);
+      sum += reader.stored();
+    });
   }
 
   double energy_of_strain(const Particles &particles, const LinkSet &links, const LinkLaw &law, const double strain)
@@ -118,19 +122,22 @@ namespace dem
     return sum;
   }
 
-  double damage_dissipation(const Particles &particles, const LinkSet &links, const LinkLaw &law)
+  double summed_damage(const LinkSet &links)
   {
-    LinkReader reader(particles, links, law);
-    double     sum = 0;
+    double sum = 0;
     for (const auto &account : links.accounts)
       sum += account.damage;
-    for (std::size_t l = 0; l < links.count; ++l)
-      if (links.is_alive(l))
-        {
-          reader.read(l);
-          sum += reader.damage_dissipation();
-        }
     return sum;
+  }
+
+  void add_damage_dissipation(
+    const Particles &particles, const LinkSet &links, const LinkLaw &law, const LinkRange &lines, double &sum)
+  {
+    LinkReader reader(particles, links, law);
+    each_living(links, lines, [&](const std::size_t l) {
+      reader.read(l);
+      sum += reader.damage_dissipation();
+    });
   }
 
   double plastic_dissipation(const LinkSet &links)
@@ -157,18 +164,18 @@ namespace dem
     return sum;
   }
 
-  void add_stress_moments(const Particles &particles, const LinkSet &links, std::vector<Eigen::Matrix3d> &moments)
+  void add_stress_moments(const Particles              &particles,
+                          const LinkSet                &links,
+                          const LinkRange              &lines,
+                          std::vector<Eigen::Matrix3d> &moments)
   {
-    for (std::size_t l = 0; l < links.count; ++l)
-      {
-        if (!links.is_alive(l))
-          continue;
-        const LinkView    view = link_at(particles, links, l);
-        const std::size_t J = links.first[l], K = links.second[l];
-        const double      eccentric = particles.radius_of(J) - particles.radius_of(K);
-        const auto        moment    = view.direction * view.force.transpose();
-        moments[J] += 0.5 * (view.length + eccentric) * moment;
-        moments[K] += 0.5 * (view.length - eccentric) * moment; // both arm and force change sign
-      }
+    each_living(links, lines, [&](const std::size_t l) {
+      const LinkView    view = link_at(particles, links, l);
+      const std::size_t J = links.first[l], K = links.second[l];
+      const double      eccentric = particles.radius_of(J) - particles.radius_of(K);
+      const auto        moment    = view.direction * view.force.transpose();
+      moments[J] += 0.5 * (view.length + eccentric) * moment;
+      moments[K] += 0.5 * (view.length - eccentric) * moment; // both arm and force change sign
+    });
   }
 } // namespace dem

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "dem/measures/loads.h"
+#include "dem/model/held_lines.h"
 #include "dem/model/link_law.h"
 #include "dem/model/links.h"
 #include "dem/model/particles.h"
@@ -103,9 +104,15 @@ namespace dem
 
   /** Energy stored in all living links [J]. */
   double elastic_energy(const Particles &particles, const LinkSet &links, const LinkLaw &law);
+  /** Add that of some lines to a sum, one after the other. */
+  void add_elastic_energy(
+    const Particles &particles, const LinkSet &links, const LinkLaw &law, const LinkRange &lines, double &sum);
 
-  /** Dissipated by damage of the living links [J]: by the closed form of the law where it has one, and what the pass has summed up. */
-  double damage_dissipation(const Particles &particles, const LinkSet &links, const LinkLaw &law);
+  /** Dissipated by damage of the links so far, as the pass has summed it up: of laws that have no closed form for it [J]. */
+  double summed_damage(const LinkSet &links);
+  /** Add what damage has dissipated in some living links by the closed form of the law, where it has one [J]. */
+  void add_damage_dissipation(
+    const Particles &particles, const LinkSet &links, const LinkLaw &law, const LinkRange &lines, double &sum);
 
   /** Dissipated by sliding since the start [J]. */
   double plastic_dissipation(const LinkSet &links);
@@ -115,8 +122,11 @@ namespace dem
   double released_in_place(const LinkSet &links);
 
   /**
- * Add each link's share to the particles' stress moments V_P sigma_P = sum (c - x_P) (x) f_on_P [N m], c the contact point (Love-Weber;
- * doc/theory/stress-and-fabric.md, 1). Particle order is that of `particles`.
- */
-  void add_stress_moments(const Particles &particles, const LinkSet &links, std::vector<Eigen::Matrix3d> &moments);
+ * Add the share of each living link among some lines to the particles' stress moments V_P sigma_P = sum (c - x_P) (x) f_on_P [N m], c the
+ * contact point (Love-Weber; doc/theory/stress-and-fabric.md, 1). Particle order is that of `particles`.
+  */
+  void add_stress_moments(const Particles              &particles,
+                          const LinkSet                &links,
+                          const LinkRange              &lines,
+                          std::vector<Eigen::Matrix3d> &moments);
 } // namespace dem

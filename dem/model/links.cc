@@ -1,5 +1,6 @@
 #include "dem/model/links.h"
 
+#include "dem/core/memory_pages.h"
 #include "dem/core/streaming.h"
 #include "dem/model/materials.h"
 
@@ -127,11 +128,11 @@ namespace dem
     reference_length.resize(lines);
     area.resize(lines);
     for (base::Column &column : history)
-      column.resize(lines);
+      assign_zeros(column, lines);
     pad(n, particles);
-    force.assign(record_size * lines, 0.0);
+    assign_zeros(force, record_size * lines);
     if (moments_apart)
-      moment.assign(half_record_size * lines, 0.0);
+      assign_zeros(moment, half_record_size * lines);
     accounts.resize(std::max<std::size_t>(lines / links_per_block, 1));
     streams       = sizeof(double) * force.size() > last_level_cache();
     fetches_ahead = sizeof(double) * force.size() > own_cache();
@@ -321,7 +322,10 @@ namespace dem
         links.area[l]             = fresh.area;
         std::fill(row.begin(), row.end(), 0.0);
         law.begin(links.pair_of(l), fresh, row.data());
-        links.set_history(l, row);
+        for (std::size_t c = 0; c < row.size(); ++c)
+          if (row[c] != 0 ||
+              std::signbit(row[c])) // zeros are there already, and take no memory as long as none is written
+            links.history[c][l] = row[c];
       }
     links.tabulate(particles.count);
   }

@@ -1,5 +1,6 @@
 #include "dem/model/particles.h"
 
+#include "dem/core/memory_pages.h"
 #include "dem/model/cut_between.h"
 #include "dem/model/materials.h"
 
@@ -71,7 +72,7 @@ namespace dem
     p.count                 = packing.size();
     const std::size_t slots = p.count + 2;
     for (base::Column *column : {&p.pose, &p.motion, &p.velocity, &p.force, &p.inverse_mass})
-      column->assign(record_size * slots, 0.0);
+      assign_zeros(*column, record_size * slots);
     p.reference.assign(3 * slots, 0.0);
     p.mass.resize(p.count);
     p.inertia.resize(p.count);

@@ -28,17 +28,10 @@ namespace dem
     }
   } // namespace
 
-  void OverlapWatch::moved(
-    const double largest, const Frame &frame, const Particles &particles, const LinkSet &bonds, const LinkSet &contacts)
+  void OverlapWatch::measured(const DeepestOverlap &overlap, const Frame &frame, const Particles &particles)
   {
-    if (!looks_after(largest, frame))
-      {
-        path += largest;
-        return;
-      }
-    path                         = 0;
-    const DeepestOverlap overlap = deepest_overlap(particles, bonds, contacts);
-    deepest_seen                 = std::max(deepest_seen, overlap.depth);
+    path         = 0;
+    deepest_seen = std::max(deepest_seen, overlap.depth);
     if (!(overlap.depth < frame.limit))
       refuse(overlap, frame, particles);
   }

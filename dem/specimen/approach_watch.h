@@ -25,12 +25,13 @@ namespace dem
       return !(path + largest <
                frame.limit / 5 * frame.smallest_radius); // two of them come two fifths of the limit nearer meanwhile
     }
+    /** They have, and nothing is measured. */
+    void moved(const double largest) { path += largest; }
     /**
-     * Particles have moved by this much at most [m].
+     * They have, and this is the deepest overlap.
      * @throws base::NumericalError, naming two of them, where they are pressed into each other beyond the limit
      */
-    void moved(
-      double largest, const Frame &frame, const Particles &particles, const LinkSet &bonds, const LinkSet &contacts);
+    void   measured(const DeepestOverlap &overlap, const Frame &frame, const Particles &particles);
     double deepest() const { return deepest_seen; } ///< that was found so far, over the smaller radius
 
     void visit_state(base::StateVisitor &visitor);

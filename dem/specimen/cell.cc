@@ -39,12 +39,13 @@ namespace dem
       return sum;
     }
 
-    double sum_of_forces(const LinkSet &links)
+    double sum_of_forces(SpecimenCore &core, const LinkSet &links)
     {
       double sum = 0;
-      for (std::size_t l = 0; l < links.count; ++l)
-        if (links.is_alive(l))
-          sum += Eigen::Vector3d(&links.force[record_size * l]).norm();
+      core.walk(links, &sum, 1, [&](const LinkRange &lines) {
+        each_living(links, lines,
+                    [&](const std::size_t l) { sum += Eigen::Vector3d(&links.force[record_size * l]).norm(); });
+      });
       return sum;
     }
   } // namespace
@@ -112,25 +113,26 @@ namespace dem
 
   double ObservedSpecimen::unbalanced_ratio() const
   {
-    self->gather();
     const Particles &p            = self->particles;
-    double           on_particles = 0;
-    std::size_t      moving       = 0;
-    for (std::size_t i = 0; i < p.count; ++i)
-      {
-        const Eigen::Vector3d force(&p.force[record_size * i]), mobile(&p.inverse_mass[record_size * i]);
-        if ((mobile.array() > 0).any())
-          {
-            on_particles += (mobile.array() > 0).select(force.array(), 0.0).matrix().norm();
-            ++moving;
-          }
-      }
-    double            of_links = sum_of_forces(self->bonds) + sum_of_forces(self->contacts);
+    double           sums[2]      = {0, 0};
+    double          &on_particles = sums[0], &moving = sums[1];
+    self->walk_particles(sums, 2, [&](const std::size_t first, const std::size_t last) {
+      for (std::size_t i = first; i < last; ++i)
+        {
+          const Eigen::Vector3d force(&p.force[record_size * i]), mobile(&p.inverse_mass[record_size * i]);
+          if ((mobile.array() > 0).any())
+            {
+              on_particles += (mobile.array() > 0).select(force.array(), 0.0).matrix().norm();
+              ++moving;
+            }
+        }
+    });
+    double            of_links = sum_of_forces(*self, self->bonds) + sum_of_forces(*self, self->contacts);
     const std::size_t links    = self->bonds.alive + self->touching_contacts() + self->surfaces.list().size();
     for (const SurfaceContact &contact : self->surfaces.list())
       of_links += contact.force.norm();
     if (moving == 0 || on_particles == 0)
       return 0.0;
-    return on_particles / static_cast<double>(moving) / (of_links / static_cast<double>(links));
+    return on_particles / moving / (of_links / static_cast<double>(links));
   }
 } // namespace dem

@@ -111,15 +111,34 @@ namespace dem
       make_contacts(); // of what overlaps from the start
   }
 
-  std::size_t SpecimenCore::touching_contacts() const
+  std::size_t SpecimenCore::touching_contacts()
   {
     if (!contact_law->waits())
       return contacts.alive;
-    std::size_t touching = 0;
-    for (std::size_t l = 0; l < contacts.count; ++l)
-      touching +=
-        contacts.is_alive(l) && !Eigen::Map<const Eigen::Vector3d>(&contacts.force[record_size * l]).isZero(0);
-    return touching;
+    double touching = 0;
+    walk(contacts, &touching, 1, [&](const LinkRange &lines) {
+      each_living(contacts, lines, [&](const std::size_t l) {
+        touching += !Eigen::Map<const Eigen::Vector3d>(&contacts.force[record_size * l]).isZero(0);
+      });
+    });
+    return static_cast<std::size_t>(touching);
+  }
+
+  DeepestOverlap SpecimenCore::deepest_overlap()
+  {
+    double     found[] = {0, 0, 0};
+    const auto look    = [&](const LinkSet &links, const auto &find_deeper) {
+      walk(links, found, std::size(found), [&](const LinkRange &lines) {
+        DeepestOverlap deepest{found[0], static_cast<std::int32_t>(found[1]), static_cast<std::int32_t>(found[2])};
+        find_deeper(particles, links, lines, deepest);
+        std::copy_n(std::array<double, 3>{deepest.depth, double(deepest.first), double(deepest.second)}.data(), 3,
+                       found);
+      });
+    };
+    look(contacts, find_deeper_contact);
+    if (bonds.logs_breaks)
+      look(bonds, find_deeper_bond);
+    return {found[0], static_cast<std::int32_t>(found[1]), static_cast<std::int32_t>(found[2])};
   }
 
   void SpecimenCore::leave_loose(std::vector<NeighbourPair> &pairs)

@@ -10,6 +10,7 @@
 #include "dem/model/initial_equilibrium.h"
 #include "dem/model/materials.h"
 #include "dem/network/rigid_motions.h"
+#include "dem/ranks/exact_sum.h"
 #include "dem/specimen/approach_watch.h"
 #include "dem/specimen/clumps.h"
 #include "dem/specimen/crack_record.h"
@@ -95,8 +96,26 @@ namespace dem
     void refuse_late(const char *what) const;
     /** Where work of sudden changes of velocity is entered; before the first step nowhere: it is initial energy. */
     EnergyFlow *work_of_changes() { return step_count == 0 ? nullptr : &book.work; }
-    /** Before it is read from outside: what other ranks have computed. */
+    /** Before all of it is read from outside: what other ranks have computed. Until the next step each rank reads without the others then. */
     void gather();
+    /** All of particles. */
+    void gather_particles();
+    /**
+     * Go through all lines of bonds or contacts in their order, each rank through its own: numbers that they add up have the bits that they have
+     * on one rank, and all ranks have them then. @param part called with some lines, once or more often
+     */
+    void
+    walk(const LinkSet &links, double *numbers, std::size_t count, const std::function<void(const LinkRange &)> &part);
+    /** The same where the order does not matter. */
+    void walk_without_order(const LinkSet &links, ExactSum &sum, const std::function<void(const LinkRange &)> &part);
+    /** The same for the particles. @param part called with the first and behind the last */
+    void walk_particles(double *numbers, std::size_t count, const std::function<void(std::size_t, std::size_t)> &part);
+    /** What blocks of links have summed up. */
+    void gather_accounts();
+    /** Whether this process has the state of all links of a set, or of both: then it reads without the others. */
+    bool           has_all(const LinkSet &links) const;
+    bool           has_all_links() const { return has_all(bonds) && has_all(contacts); }
+    DeepestOverlap deepest_overlap();
     /** Before contacts, lists or overlaps are sought: where all particles are. */
     void gather_places();
     void gather_glide();
@@ -125,10 +144,10 @@ namespace dem
     void leave_unbonded(std::vector<NeighbourPair> &pairs);
     bool moments() const { return bonds.has_moment || contacts.has_moment; }
     /** Contacts that carry something: those that wait do not count. */
-    std::size_t              touching_contacts() const;
+    std::size_t              touching_contacts();
     std::vector<LawfulLinks> all_links() const { return {{bonds, *bond_law}, {contacts, *contact_law}}; }
     /** Stable step (5.1) of the present state, of particles and clumps [s]. */
-    double stable() const;
+    double stable();
     /** The same of one particle, or of the clump that it is a pebble of. */
     double stable(std::int32_t particle) const;
     double stable_of_clump(std::size_t clump) const;
@@ -160,7 +179,7 @@ namespace dem
     /** Find the forces of contacts that exist before the first step. @return energy of theirs that the account starts from [J] */
     double begin_contacts();
     /** Work of the weight on the way from the packing to where the particles were at t_n [J]. */
-    double             weight_work() const;
+    double             weight_work();
     InitialEquilibrium find_equilibrium();
     /** Forces of links and weight where the particles are. */
     void find_forces();

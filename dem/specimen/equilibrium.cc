@@ -207,16 +207,18 @@ namespace dem
     }
   } // namespace
 
-  double SpecimenCore::weight_work() const
+  double SpecimenCore::weight_work()
   {
     if (parameters.gravity.isZero(0))
       return 0;
     double work = clumps.weight_work(parameters.gravity);
-    for (std::size_t i = 0; i < particles.count; ++i)
-      {
-        const Eigen::Vector3d moved(&particles.motion[record_size * i]), start(&particles.reference[3 * i]);
-        work += particles.mass[i] * parameters.gravity.dot(particles.position_of(i) - moved - start);
-      }
+    walk_particles(&work, 1, [&](const std::size_t first, const std::size_t last) {
+      for (std::size_t i = first; i < last; ++i)
+        {
+          const Eigen::Vector3d moved(&particles.motion[record_size * i]), start(&particles.reference[3 * i]);
+          work += particles.mass[i] * parameters.gravity.dot(particles.position_of(i) - moved - start);
+        }
+    });
     return work;
   }
 

@@ -16,7 +16,7 @@ namespace dem
 
   Eigen::Vector3d GripReadings::reaction_moment(const std::size_t grip, const Eigen::Vector3d &about) const
   {
-    core->gather();
+    core->gather_places();
     return core->held.reaction_moment(core->particles, grip, about);
   }
 

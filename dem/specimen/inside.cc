@@ -9,14 +9,16 @@ namespace dem
   {
     struct Inside : ObservedSpecimen
     {
-      static const SpecimenCore &core_of(const ObservedSpecimen &specimen)
-      {
-        SpecimenCore &core = *(specimen.*(&Inside::self));
-        core.gather();
-        return core;
-      }
+      static SpecimenCore &core_of(const ObservedSpecimen &specimen) { return *(specimen.*(&Inside::self)); }
     };
   } // namespace
 
-  const SpecimenCore &core_of(const ObservedSpecimen &specimen) { return Inside::core_of(specimen); }
+  SpecimenCore &core_in_parts_of(const ObservedSpecimen &specimen) { return Inside::core_of(specimen); }
+
+  const SpecimenCore &core_of(const ObservedSpecimen &specimen)
+  {
+    SpecimenCore &core = core_in_parts_of(specimen);
+    core.gather();
+    return core;
+  }
 } // namespace dem

@@ -35,11 +35,7 @@ namespace dem
   double       ObservedSpecimen::time() const { return self->time; }
   double       ObservedSpecimen::time_step() const { return self->time_step; }
 
-  double ObservedSpecimen::stable_step() const
-  {
-    self->gather();
-    return self->stable();
-  }
+  double ObservedSpecimen::stable_step() const { return self->stable(); }
 
   double ObservedSpecimen::critical_step() const
   {
@@ -49,7 +45,6 @@ namespace dem
 
   Counts ObservedSpecimen::counts() const
   {
-    self->gather();
     const std::size_t in_place = self->bonds.broken();
     return {self->particles.count,
             self->bonds.alive - in_place,
@@ -57,7 +52,7 @@ namespace dem
             self->cracks.count(),
             self->search.searches(),
             self->surfaces.list().size(),
-            std::max(self->overlaps.deepest(), deepest_overlap(self->particles, self->bonds, self->contacts).depth),
+            std::max(self->overlaps.deepest(), self->deepest_overlap().depth),
             self->largest_turn};
   }
 
@@ -112,11 +107,34 @@ namespace dem
                                  self->slot.at(number), 0, self->stiffening.ahead());
   }
 
+  namespace
+  {
+    double elastic_energy_of(SpecimenCore &core, const LinkSet &links, const LinkLaw &law)
+    {
+      double sum = 0;
+      core.walk(links, &sum, 1,
+                [&](const LinkRange &lines) { add_elastic_energy(core.particles, links, law, lines, sum); });
+      return sum;
+    }
+
+    /** @pre what blocks have summed up is gathered */
+    double damage_of_bonds(SpecimenCore &core)
+    {
+      double sum = summed_damage(core.bonds);
+      core.walk(core.bonds, &sum, 1, [&](const LinkRange &lines) {
+        add_damage_dissipation(core.particles, core.bonds, *core.bond_law, lines, sum);
+      });
+      return sum;
+    }
+  } // namespace
+
   EnergyAccount ObservedSpecimen::energy() const
   {
-    self->gather();
+    self->gather_accounts();
+    if (!self->surfaces.empty())
+      self->gather_places();
     EnergyAccount         e;
-    const auto           &s           = *self;
+    auto                 &s           = *self;
     const SurfaceEnergies of_surfaces = s.surface_energies();
     e.external_work                   = s.book.work.at_forces();
     e.gravity                         = s.step_count == 0 ? 0.0 : s.weight_work() - s.book.weight_at_start;
@@ -124,15 +142,15 @@ namespace dem
     if (s.step_count == 0)
       {
         e.kinetic = s.kinetic_of_velocities();
-        e.initial = e.kinetic + s.book.stored_at_start + elastic_energy(s.particles, s.contacts, *s.contact_law) +
-                    of_surfaces.stored;
+        e.initial =
+          e.kinetic + s.book.stored_at_start + elastic_energy_of(s, s.contacts, *s.contact_law) + of_surfaces.stored;
       }
     else
       for (const auto &block : s.accounts)
         e.kinetic += block.kinetic;
-    e.elastic = elastic_energy(s.particles, s.bonds, *s.bond_law) +
-                elastic_energy(s.particles, s.contacts, *s.contact_law) + of_surfaces.stored;
-    e.damage   = damage_dissipation(s.particles, s.bonds, *s.bond_law) + s.cracks.dissipated() + of_surfaces.damage;
+    e.elastic = elastic_energy_of(s, s.bonds, *s.bond_law) + elastic_energy_of(s, s.contacts, *s.contact_law) +
+                of_surfaces.stored;
+    e.damage   = damage_of_bonds(s) + s.cracks.dissipated() + of_surfaces.damage;
     e.friction = plastic_dissipation(s.bonds) + plastic_dissipation(s.contacts) + of_surfaces.friction;
     e.released = s.book.released + released_in_place(s.bonds) + of_surfaces.released;
     e.damping =
@@ -172,37 +190,57 @@ namespace dem
 
   Eigen::Vector3d ObservedSpecimen::displacement(const std::size_t particle) const
   {
-    self->gather();
+    self->gather_places();
     const auto i = static_cast<std::size_t>(self->slot.at(particle));
     return self->particles.position_of(i) - Eigen::Vector3d(&self->particles.reference[3 * i]);
   }
 
   double ObservedSpecimen::mean_damage() const
   {
-    self->gather();
     if (self->made_links == 0)
       return 0.0;
     ExactSum sum; // links may lie in any order: doc/theory/ranks.md, 6
+    self->walk_without_order(self->bonds, sum, [&](const LinkRange &lines) {
+      LinkReader reader(self->particles, self->bonds, *self->bond_law);
+      each_living(self->bonds, lines, [&](const std::size_t l) {
+        if (self->bonds.is_broken(l))
+          return;
+        reader.read(l);
+        sum.add(reader.damage().stiffness);
+      });
+    });
     sum.add(static_cast<double>(self->cracks.count()));
-    LinkReader reader(self->particles, self->bonds, *self->bond_law);
-    for (std::size_t l = 0; l < self->bonds.count; ++l)
-      if (self->bonds.is_alive(l) && !self->bonds.is_broken(l))
-        {
-          reader.read(l);
-          sum.add(reader.damage().stiffness);
-        }
     return sum.value() / static_cast<double>(self->made_links);
   }
 
   ParticleOutput ObservedSpecimen::particles() const
   {
-    self->gather();
+    self->gather_particles();
     const Particles             &p = self->particles;
     const std::size_t            n = p.count;
     std::vector<double>          damage(n, 0.0);
     std::vector<Eigen::Matrix3d> moments(n, Eigen::Matrix3d::Zero());
-    add_stress_moments(p, self->bonds, moments);
-    add_stress_moments(p, self->contacts, moments);
+    const bool                   in_parts = !self->has_all_links();
+    const auto                   lines_of = [in_parts](const LinkSet &links) {
+      return in_parts ? updated_lines(links) : std::vector<LinkRange>{all_lines(links)};
+    };
+    for (const LinkSet *links : {&self->bonds, &self->contacts})
+      for (const LinkRange &lines : lines_of(*links))
+        add_stress_moments(p, *links, lines, moments);
+    LinkReader reader(p, self->bonds, *self->bond_law);
+    for (const LinkRange &lines : lines_of(self->bonds))
+      each_living(self->bonds, lines, [&](const std::size_t l) {
+        if (self->bonds.is_broken(l))
+          return;
+        reader.read(l);
+        damage[self->bonds.first[l]] += reader.damage().stiffness;
+        damage[self->bonds.second[l]] += reader.damage().stiffness;
+      });
+    if (in_parts) // else this process may read alone
+      {
+        self->shared->gather_numbers(moments.data()->data(), 9);
+        self->shared->gather_numbers(damage.data(), 1);
+      }
     for (const SurfaceContact &contact : self->surfaces.list())
       moments[static_cast<std::size_t>(contact.particle)] +=
         contact.distance * contact.direction * contact.force.transpose();
@@ -210,14 +248,6 @@ namespace dem
       for (std::size_t bond = 0; bond < glue.count(); ++bond)
         if (glue.is_alive(bond))
           moments[static_cast<std::size_t>(glue.particle_of(bond))] += glue.branch(bond) * glue.force(bond).transpose();
-    LinkReader reader(p, self->bonds, *self->bond_law);
-    for (std::size_t l = 0; l < self->bonds.count; ++l)
-      if (self->bonds.is_alive(l) && !self->bonds.is_broken(l))
-        {
-          reader.read(l);
-          damage[self->bonds.first[l]] += reader.damage().stiffness;
-          damage[self->bonds.second[l]] += reader.damage().stiffness;
-        }
 
     ParticleOutput out;
     out.position.resize(n);
@@ -310,16 +340,17 @@ namespace dem
 
   Eigen::Vector3d ObservedSpecimen::force_on(const std::vector<std::size_t> &group) const
   {
-    self->gather();
     const std::vector<bool> is_of = members(group, self->slot);
     Eigen::Vector3d         sum   = Eigen::Vector3d::Zero();
     for (const LinkSet *links : {&self->bonds, &self->contacts})
-      for (std::size_t l = 0; l < links->count; ++l)
-        if (links->is_alive(l) && is_of[links->first[l]] != is_of[links->second[l]])
-          {
-            const Eigen::Vector3d force = link_at(self->particles, *links, l).force;
-            sum += is_of[links->first[l]] ? force : Eigen::Vector3d(-force);
-          }
+      self->walk(*links, sum.data(), 3, [&](const LinkRange &lines) {
+        each_living(*links, lines, [&](const std::size_t l) {
+          if (is_of[links->first[l]] == is_of[links->second[l]])
+            return;
+          const Eigen::Vector3d force = link_at(self->particles, *links, l).force;
+          sum += is_of[links->first[l]] ? force : Eigen::Vector3d(-force);
+        });
+      });
     self->surfaces.each_push(
       [&](std::int32_t, const std::int32_t particle, const Eigen::Vector3d &force, const Eigen::Vector3d &) {
         if (is_of[static_cast<std::size_t>(particle)])

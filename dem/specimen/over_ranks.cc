@@ -11,15 +11,77 @@ namespace dem
   {
     if (!shared)
       return;
+    gather_particles();
+    if (shared->lacks_bonds())
+      shared->gather_bonds(bonds);
+    if (shared->lacks_contacts())
+      shared->gather_contacts(contacts);
+  }
+
+  void SpecimenCore::gather_particles()
+  {
+    if (!shared || !shared->lacks_particles())
+      return;
+    gather_places();
     shared->gather_particles(particles);
-    gather_glide();
-    shared->gather_bonds(bonds);
-    shared->gather_contacts(contacts);
+  }
+
+  bool SpecimenCore::has_all(const LinkSet &links) const
+  {
+    return !shares() || !links.in_parts || !(&links == &bonds ? shared->lacks_bonds() : shared->lacks_contacts());
+  }
+
+  void SpecimenCore::walk(const LinkSet                                &links,
+                          double                                       *numbers,
+                          const std::size_t                             count,
+                          const std::function<void(const LinkRange &)> &part)
+  {
+    if (has_all(links))
+      {
+        gather_places(); // they may have moved since
+        return part(all_lines(links));
+      }
+    const auto use = [&](const std::size_t begin, const std::size_t end) { part({begin, end}); };
+    if (&links == &bonds)
+      shared->relay_bonds(bonds, use, numbers, count);
+    else
+      shared->relay_contacts(contacts, use, numbers, count);
+  }
+
+  void SpecimenCore::walk_without_order(const LinkSet                                &links,
+                                        ExactSum                                     &sum,
+                                        const std::function<void(const LinkRange &)> &part)
+  {
+    if (has_all(links))
+      {
+        gather_places();
+        return part(all_lines(links));
+      }
+    for (const LinkPart &each : links.parts)
+      if (each.own)
+        part({each.begin, each.end});
+    shared->add_up(sum);
+  }
+
+  void SpecimenCore::walk_particles(double                                              *numbers,
+                                    const std::size_t                                    count,
+                                    const std::function<void(std::size_t, std::size_t)> &part)
+  {
+    if (shares() && shared->lacks_particles())
+      shared->relay_particles(part, numbers, count);
+    else
+      part(0, particles.count);
+  }
+
+  void SpecimenCore::gather_accounts()
+  {
+    if (shares())
+      shared->gather_accounts(bonds, contacts);
   }
 
   void SpecimenCore::gather_places()
   {
-    if (!shared)
+    if (!shared || !shared->lacks_places())
       return;
     shared->gather_places(particles);
     gather_glide();
@@ -40,7 +102,7 @@ namespace dem
   void SpecimenCore::gather_particle(const std::int32_t particle)
   {
     if (shares() && !shared->knows(particle))
-      shared->gather_particles(particles);
+      gather_particles();
   }
 
   std::vector<std::int32_t> SpecimenCore::corrected_by(const StepPartner &partner) const

@@ -1,6 +1,7 @@
 #include "dem/specimen/shared_work.h"
 
 #include "dem/core/simd.h"
+#include "dem/model/column_memory.h"
 
 #include <algorithm>
 #include <array>
@@ -32,12 +33,13 @@ namespace dem
           }
     }
 
-    /** Call use(numbers, count) for all that is remembered of the lines of a block. */
+    /** Call use(numbers, count) for all that only those have who update a block: what it remembers, and does. */
     template <typename Use>
     void for_contents(LinkSet &links, const std::size_t block, const Use &use)
     {
       const LinkPart    lines = links.part_of_block(block);
       const std::size_t count = lines.end - lines.begin;
+      use(&links.reference_length[lines.begin], count);
       for (base::Column &column : links.history)
         use(&column[lines.begin], count);
       use(&links.force[record_size * lines.begin], record_size * count);
@@ -56,7 +58,14 @@ namespace dem
 
   // --- In a step ---
 
-  void SharedWork::links_updated() { of_bonds.stale = of_contacts.stale = true; }
+  void SharedWork::links_updated(const Particles &particles, LinkSet &bonds, LinkSet &contacts)
+  {
+    keep_own(bonds, of_bonds);
+    keep_own(contacts, of_contacts);
+    if (std::exchange(given_back, false))
+      in_steps = static_cast<std::int64_t>(resident_bytes(particles, {&bonds, &contacts}));
+    of_bonds.stale = of_contacts.stale = true;
+  }
 
   double SharedWork::largest(double number) const
   {
@@ -111,7 +120,12 @@ namespace dem
     });
     for (std::size_t r = 0; r < size(); ++r)
       for (std::size_t at = 0; at < lists[r].size(); at += 2)
-        sets[static_cast<std::size_t>(lists[r][at + 1])]->accounts[static_cast<std::size_t>(lists[r][at])].event = true;
+        {
+          const auto block = static_cast<std::size_t>(lists[r][at]), set = static_cast<std::size_t>(lists[r][at + 1]);
+          sets[set]->accounts[block].event = true;
+          if (r != rank())
+            (set == 0 ? of_bonds : of_contacts).borrowed.push_back(block);
+        }
   }
 
   void SharedWork::share_stress_moments(LinkSet &bonds, LinkSet &contacts)
@@ -124,10 +138,12 @@ namespace dem
 
   void SharedWork::share_motion(Particles                         &particles,
                                 std::vector<ParticleBlockAccount> &accounts,
-                                const std::vector<std::int32_t>   &by_all)
+                                const std::vector<std::int32_t>   &by_all,
+                                const std::vector<std::int32_t>   &moved_by_all)
   {
     places_stale = rates_stale = true;
     known.clear();
+    keep_own(particles, moved_by_all);
     std::vector<std::size_t> begin;
     for (const std::size_t brick : brick_begin)
       begin.push_back(brick * sizeof(ParticleBlockAccount));
@@ -164,20 +180,13 @@ namespace dem
     if (!of.empty())
       gather_records({&particles.pose, &particles.motion, &particles.velocity, &particles.force}, of);
     known = of;
+    if (!of.empty() && of != with_masses) // what prescribes their motion does not change
+      gather_records({&particles.inverse_mass}, with_masses = of);
   }
 
   bool SharedWork::knows(const std::int32_t particle) const
   {
     return std::binary_search(known.begin(), known.end(), particle);
-  }
-
-  // --- To read all of it ---
-
-  void SharedWork::gather(void *array, const std::vector<std::size_t> &begin)
-  {
-    bytes += static_cast<std::int64_t>(begin[rank() + 1] - begin[rank()]);
-    ++messages;
-    ranks->gather(array, begin);
   }
 
   void SharedWork::gather_records(const std::vector<base::Column *> &columns, const std::vector<std::int32_t> &of)
@@ -190,56 +199,5 @@ namespace dem
     put_records(columns, of, all.data());
     gather(all.data(), begin);
     take_records(columns, of, all.data());
-  }
-
-  void SharedWork::gather_places(Particles &particles)
-  {
-    if (!std::exchange(places_stale, false))
-      return;
-    gather_column(particles.pose);
-    gather_column(particles.motion);
-  }
-
-  void SharedWork::gather_column(base::Column &records)
-  {
-    std::vector<std::size_t> begin;
-    for (const std::int32_t particle : particle_begin)
-      begin.push_back(static_cast<std::size_t>(particle) * record_size * sizeof(double));
-    gather(records.data(), begin);
-  }
-
-  void SharedWork::gather_particles(Particles &particles)
-  {
-    gather_places(particles);
-    if (!std::exchange(rates_stale, false))
-      return;
-    gather_column(particles.velocity);
-    gather_column(particles.force);
-  }
-
-  void SharedWork::gather_blocks(void *column, const std::size_t bytes_of_block, const SetShare &share)
-  {
-    auto *bytes_of_column = static_cast<char *>(column);
-    for (const std::vector<std::size_t> &blocks : share.block_begin)
-      {
-        std::vector<std::size_t> begin;
-        for (const std::size_t block : blocks)
-          begin.push_back((block - blocks.front()) * bytes_of_block);
-        if (begin.back() > 0)
-          gather(bytes_of_column + blocks.front() * bytes_of_block, begin);
-      }
-  }
-
-  void SharedWork::gather_links(LinkSet &links, SetShare &share)
-  {
-    if (!std::exchange(share.stale, false) || links.count == 0)
-      return;
-    constexpr std::size_t number = sizeof(double) * links_per_block;
-    for (base::Column &column : links.history)
-      gather_blocks(column.data(), number, share);
-    gather_blocks(links.force.data(), record_size * number, share);
-    if (links.moments_apart)
-      gather_blocks(links.moment.data(), half_record_size * number, share);
-    gather_blocks(links.accounts.data(), sizeof(LinkBlockAccount), share);
   }
 } // namespace dem

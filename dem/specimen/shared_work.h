@@ -3,32 +3,43 @@
 #include "dem/kernels/particle_pass.h"
 #include "dem/model/links.h"
 #include "dem/model/particles.h"
+#include "dem/ranks/exact_sum.h"
 #include "dem/ranks/ranks.h"
+#include "dem/specimen/rank_shares.h"
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace dem
 {
   /**
-   * How ranks share the work of a specimen (doc/theory/ranks.md, 3). Each of them holds all of it, moves the particles of its bricks, and
+   * How ranks share the work of a specimen, and its memory (doc/theory/ranks.md, 3). Each of them moves the particles of its bricks, and
    * updates the blocks of links that begin there, with copies of others that its particles need. Blocks and packs of links are the same on
-   * all, so every number has the bits that it has on one. What others have computed is out of date here until it is exchanged or gathered.
+   * all, so every number has the bits that it has on one.
+   *
+   * All know which links there are and what they join. What a link remembers and does, those have who update it; the memory for others' stays
+   * reserved, and is given back to the system until something is gathered there. What others have computed is out of date here, or absent,
+   * until it is exchanged or gathered.
    *
    * All members but the readings are called by all ranks, in the same order.
    */
   class SharedWork
   {
   public:
-    /** @param move_every steps after which ranges of bricks are changed, for tests; 0: only where bonds are sorted out anew */
+    /**
+     * @param move_every steps after which ranges of bricks are changed, for tests; 0: only where bonds are sorted out anew. Where they are, what
+     * a rank does not have is no number, so that it shows where something reads it
+     */
     SharedWork(std::shared_ptr<Ranks> ranks, std::int64_t move_every);
 
     // --- What is whose ---
 
     /** Share out sets of links that have been sorted out anew, if any. @pre such a set is up to date, and with bonds all particles are */
-    void plan(const Particles &particles, LinkSet &bonds, LinkSet &contacts);
+    void plan(Particles &particles, LinkSet &bonds, LinkSet &contacts);
     /** Whether ranges are to be changed before a step, given by its number. */
     bool changes_ranges(std::int64_t step) const { return move_every > 0 && step > 0 && step % move_every == 0; }
     /** Change them with the next plan(). @pre all is up to date */
@@ -40,18 +51,24 @@ namespace dem
     bool           owns(const std::int32_t particle) const { return particle >= first() && particle < last(); }
     /** Of each rank. */
     std::vector<RankWork> work(const LinkSet &bonds, const LinkSet &contacts) const;
+    /** What particles and links take up in each rank. */
+    std::vector<RankMemory> memory(const Particles &particles, const LinkSet &bonds, const LinkSet &contacts) const;
 
     // --- In a step ---
 
     /** Links have been updated. */
-    void links_updated();
+    void links_updated(const Particles &particles, LinkSet &bonds, LinkSet &contacts);
     /** Before links that broke are handled: all learn which blocks have some, and what is in them. */
     void share_events(Particles &particles, LinkSet &bonds, LinkSet &contacts);
     void share_stress_moments(LinkSet &bonds, LinkSet &contacts);
-    /** After particles have moved: their sums; places and motions where they are ghosts, or all read them. @param by_all ascending */
+    /**
+     * After particles have moved: their sums; places and motions where they are ghosts, or all read them.
+     * @param by_all ascending @param moved_by_all that every rank moves, or of which all prescribe how they move
+     */
     void share_motion(Particles                         &particles,
                       std::vector<ParticleBlockAccount> &accounts,
-                      const std::vector<std::int32_t>   &by_all);
+                      const std::vector<std::int32_t>   &by_all,
+                      const std::vector<std::int32_t>   &moved_by_all);
     /** Forces and moments on some particles. @param of ascending */
     void share_forces(Particles &particles, const std::vector<std::int32_t> &of);
     void share_velocities(Particles &particles, const std::vector<std::int32_t> &of);
@@ -63,21 +80,45 @@ namespace dem
 
     // --- To read all of it ---
 
+    /** Whether some of it is out of date here, or absent. */
+    bool lacks_places() const { return places_stale && !reads_alone; }
+    bool lacks_particles() const { return (places_stale || rates_stale || masses_absent) && !reads_alone; }
+    bool lacks_bonds() const { return of_bonds.stale && !reads_alone; }
+    bool lacks_contacts() const { return of_contacts.stale && !reads_alone; }
+    /** What is gathered goes to the first rank alone, which then reads alone until it lets go. */
+    void let_first_read(const std::function<void()> &gather_all);
+    void let_go(Particles &particles, LinkSet &bonds, LinkSet &contacts);
     void gather_places(Particles &particles); ///< and the motion of the last step
     /** Particles were put elsewhere, each by its own rank at least. */
     void places_changed() { places_stale = true; }
-    /** One record of each particle. */
-    void gather_column(base::Column &records);
+    /** Some numbers of each particle, one particle after the other. */
+    void gather_numbers(double *all, std::size_t of_each);
+    void gather_column(base::Column &records) { gather_numbers(records.data(), record_size); }
     void gather_particles(Particles &particles);
     void gather_bonds(LinkSet &links) { gather_links(links, of_bonds); }
     void gather_contacts(LinkSet &links) { gather_links(links, of_contacts); }
+    void gather_accounts(LinkSet &bonds, LinkSet &contacts);
+    /** Hand numbers from rank to rank, each of which goes through its lines of a set; all have what comes out. */
+    using OfLines = std::function<void(std::size_t begin, std::size_t end)>;
+    void relay_bonds(const LinkSet &bonds, const OfLines &use, double *numbers, std::size_t count);
+    void relay_contacts(const LinkSet &contacts, const OfLines &use, double *numbers, std::size_t count);
+    void relay_particles(const OfLines &use, double *numbers, std::size_t count);
+    /** Of what each rank has added up, the sum. */
+    void add_up(ExactSum &sum);
+    /** One column of a set, or of particles' records, while something reads all of it. */
+    void with_column_of_bonds(base::Column &column, LinkSet &bonds, const std::function<void()> &read);
+    void with_column_of_contacts(base::Column &column, LinkSet &contacts, const std::function<void()> &read);
+    void with_records(base::Column &column, const Particles &particles, const std::function<void()> &read);
 
   private:
     /** Whose the blocks of a set are. */
     struct SetShare
     {
-      std::vector<std::vector<std::size_t>> block_begin; ///< of each law, of each rank and behind the last
-      bool                                  stale = false;
+      std::vector<std::vector<std::size_t>> block_begin;    ///< of each law, of each rank and behind the last
+      bool                                  stale = false;  ///< others' blocks are out of date here
+      bool                                  lean  = false;  ///< and they have no memory
+      std::vector<std::size_t>              borrowed;       ///< but these, in which something happened
+      std::int64_t                          since_read = 0; ///< steps since they were made or gathered
     };
 
     std::size_t rank() const { return ranks->rank(); }
@@ -90,7 +131,27 @@ namespace dem
     /** Each rank's part of columns of so many bytes a block, all gathered. */
     void gather_blocks(void *column, std::size_t bytes_of_block, const SetShare &share);
     void gather_links(LinkSet &links, SetShare &share);
+    void gather_column(base::Column &column, std::size_t numbers_of_line, const SetShare &share);
+    void relay(const std::vector<std::size_t> &begin, const OfLines &use, double *numbers, std::size_t count);
+    void
+    relay_lines(const LinkSet &links, const SetShare &share, const OfLines &use, double *numbers, std::size_t count);
+    void
+    with_column(base::Column &column, const LinkSet &links, const SetShare &share, const std::function<void()> &read);
+    /** Give back the memory of what others have, unless it is read again and again. */
+    void take_small_pages_of_others(LinkSet &links, const SetShare &share) const;
+    void take_small_pages_of_others(Particles &particles) const;
+    void keep_own(LinkSet &links, SetShare &share);
+    void drop_others(LinkSet &links);
+    void drop_others(Particles &particles);
+    void keep_own(Particles &particles, const std::vector<std::int32_t> &also);
+    /** Count a step. @return whether what was made or gathered so many steps ago may go */
+    bool may_go(std::int64_t &since_read) const;
+    void drop(base::Column &column, std::size_t begin, std::size_t end) const;
+    void
+    drop_lines(base::Column &column, std::size_t numbers_of_line, const LinkSet &links, const LinkPart &among) const;
+    void drop_records(base::Column &column, std::size_t particles) const;
     void gather(void *array, const std::vector<std::size_t> &begin);
+    void gather_on_first(char *array, const std::vector<std::size_t> &begin);
     /** Records of some particles of which each rank has its own. @param of ascending @param numbers of each record that count */
     void        gather_records(const std::vector<base::Column *> &columns, const std::vector<std::int32_t> &of);
     std::size_t owner_of(std::int32_t particle) const;
@@ -105,7 +166,16 @@ namespace dem
     std::vector<std::vector<std::int32_t>> sent, ghosts; ///< particles that each other rank needs, and has for this one
     std::vector<RankMessage>               out, in;      ///< with their places and motions
     std::vector<std::int32_t>              known;        ///< particles of which all have the state, ascending
+    std::vector<std::int32_t>              with_masses;  ///< of which all know what prescribes their motion
+    std::vector<std::int32_t>              kept;         ///< others' particles that have memory, ascending
     bool                                   places_stale = false, rates_stale = false;
+    bool                                   lean          = false; ///< the rest of them have none but for their places
+    bool                                   masses_absent = false; ///< no rank has others' inverse masses
+    std::int64_t                           since_read    = 0;     ///< steps since they were gathered
+    bool                                   to_first      = false; ///< what is gathered goes to the first rank alone
+    bool                                   reads_alone   = false; ///< this is the first rank, and has been given all
+    bool                                   given_back    = false; ///< memory, since that in steps was measured
+    std::int64_t                           in_steps      = 0;     ///< memory that particles and links took up then [B]
     std::int64_t                           messages = 0, bytes = 0;
   };
 } // namespace dem

@@ -1,6 +1,7 @@
 // What of a specimen is whose (doc/theory/ranks.md, 3).
 
 #include "dem/core/simd.h"
+#include "dem/model/column_memory.h"
 #include "dem/ranks/exchange_cost.h"
 #include "dem/ranks/shares.h"
 #include "dem/specimen/rank_shares.h"
@@ -24,6 +25,18 @@ namespace dem
       for (std::size_t k = 0; k + 1 < links.first_block.size(); ++k)
         of.emplace_back(links.first_block[k], links.first_block[k + 1]);
       return of;
+    }
+
+    template <typename Record>
+    std::vector<Record> of_each_rank(Ranks &ranks, const Record &own)
+    {
+      std::vector<Record>      all(ranks.size());
+      std::vector<std::size_t> begin;
+      for (std::size_t r = 0; r <= ranks.size(); ++r)
+        begin.push_back(r * sizeof(Record));
+      all[ranks.rank()] = own;
+      ranks.gather(all.data(), begin);
+      return all;
     }
   } // namespace
 
@@ -85,8 +98,11 @@ namespace dem
         share.block_begin.push_back(std::move(begin));
       }
     append_copies(links, share);
+    take_small_pages_of_others(links, share);
     links.in_parts = true;
-    share.stale    = false;
+    share.stale = share.lean = false;
+    share.since_read         = 0;
+    share.borrowed.clear();
   }
 
   void SharedWork::append_copies(LinkSet &links, const SetShare &share) const
@@ -139,7 +155,7 @@ namespace dem
           messages_of->push_back({r, std::vector<double>(numbers_of_ghost * count)});
   }
 
-  void SharedWork::plan(const Particles &particles, LinkSet &bonds, LinkSet &contacts)
+  void SharedWork::plan(Particles &particles, LinkSet &bonds, LinkSet &contacts)
   {
     if (bonds.in_parts && contacts.in_parts)
       return;
@@ -147,6 +163,9 @@ namespace dem
       {
         choose_ranges(particles, bonds, contacts);
         share_out(bonds, of_bonds);
+        lean       = false;
+        since_read = 0;
+        take_small_pages_of_others(particles);
       }
     share_out(contacts, of_contacts);
     find_ghosts(particles, bonds, contacts);
@@ -172,12 +191,15 @@ namespace dem
       }
     own.messages = messages;
     own.bytes    = bytes;
-    std::vector<RankWork>    all(size());
-    std::vector<std::size_t> begin;
-    for (std::size_t r = 0; r <= size(); ++r)
-      begin.push_back(r * sizeof(RankWork));
-    all[rank()] = own;
-    ranks->gather(all.data(), begin);
-    return all;
+    return of_each_rank(*ranks, own);
+  }
+
+  std::vector<RankMemory>
+  SharedWork::memory(const Particles &particles, const LinkSet &bonds, const LinkSet &contacts) const
+  {
+    RankMemory own;
+    own.now      = static_cast<std::int64_t>(resident_bytes(particles, {&bonds, &contacts}));
+    own.in_steps = in_steps > 0 ? in_steps : own.now;
+    return of_each_rank(*ranks, own);
   }
 } // namespace dem

@@ -2,6 +2,7 @@
 
 #include "base/errors.h"
 #include "dem/specimen/core.h"
+#include "dem/specimen/gathered_state.h"
 
 #include <algorithm>
 #include <set>
@@ -124,8 +125,10 @@ namespace dem
 
   void Specimen::visit_state(base::StateVisitor &visitor)
   {
-    self->gather();
-    self->visit_state(visitor);
+    if (!self->shares())
+      return self->visit_state(visitor);
+    GatheredState all(*self, visitor);
+    self->visit_state(all);
   }
 
   void Specimen::share_among(std::shared_ptr<Ranks> ranks, const std::int64_t move_every)

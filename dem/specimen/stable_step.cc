@@ -8,11 +8,18 @@
 
 namespace dem
 {
-  double SpecimenCore::stable() const
+  double SpecimenCore::stable()
   {
-    double smallest =
-      dem::stable_step(particles, all_links(), parameters.physics.rotations,
-                       surfaces.stiffness_seen(particles, shape, parameters.physics.rotations), stiffening.ahead());
+    if (clumps.empty())
+      gather_places();
+    else
+      gather(); // a clump's depends on what touches any of its pebbles
+    const bool in_parts = !has_all_links();
+    double     smallest = dem::stable_step(particles, all_links(), parameters.physics.rotations,
+                                           surfaces.stiffness_seen(particles, shape, parameters.physics.rotations),
+                                           stiffening.ahead(), in_parts ? std::optional(own_particles()) : std::nullopt);
+    if (in_parts)
+      smallest = shared->least(smallest);
     for (std::size_t clump = 0; clump < clumps.size(); ++clump)
       smallest = std::min(smallest, stable_of_clump(clump));
     return smallest;
@@ -75,7 +82,6 @@ namespace dem
   {
     if (!stiffening.moved(largest_displacement()))
       return;
-    gather();
     longest_step = std::min(longest_step, parameters.step_factor * stable());
     time_step    = std::min(time_step, longest_step);
   }

@@ -44,7 +44,7 @@ namespace dem
       contact_pass(contacts, particles, *contact_law, contacts.whole());
     if (shared)
       {
-        shared->links_updated();
+        shared->links_updated(particles, bonds, contacts);
         if (parameters.physics.periodic)
           shared->share_stress_moments(bonds, contacts);
         shared->share_events(particles, bonds, contacts);
@@ -77,7 +77,11 @@ namespace dem
     if (!clumps.empty())
       move_clumps(halves);
     if (shared)
-      shared->share_motion(particles, accounts, read_by_surfaces());
+      {
+        std::vector<std::int32_t> moved_by_all = held.members();
+        moved_by_all.insert(moved_by_all.end(), clumps.pebbles().begin(), clumps.pebbles().end());
+        shared->share_motion(particles, accounts, read_by_surfaces(), moved_by_all);
+      }
     if (!held.turning_members().empty())
       turn_grips(halves);
     if (!partner.particles)
@@ -103,8 +107,9 @@ namespace dem
         refuse_too_fast(largest, 0);
         const OverlapWatch::Frame now{parameters.physics.largest_overlap, smallest_radius, step_count, time};
         if (overlaps.looks_after(largest, now))
-          gather_places();
-        overlaps.moved(largest, now, particles, bonds, contacts);
+          overlaps.measured(deepest_overlap(), now, particles);
+        else
+          overlaps.moved(largest);
         if (contact_law->stiffens())
           watch_stiffening();
         make_contacts();

@@ -92,6 +92,23 @@ TEST_CASE(
     }
 }
 
+TEST_CASE("What ranks say to each other is the same on all, whatever is written and read", "[apps][mpi][ranks][slow]")
+{
+  if (places::skipped_without_mpirun())
+    return;
+  const std::string comparing = "BRECCIA_CHECK_RANKS=1 ";
+  for (const std::string &scene :
+       {small_concrete() + " -s 'Output/Checkpoint interval=0.5'", run_of("rock_tension.prm"),
+        run_of("drop_weight.prm"), run_of("periodic_cell.prm", {"Output/Snapshots=3"})})
+    {
+      INFO(scene);
+      const ScratchFolder folder;
+      const int           status = shell_in(folder, comparing + program_on(2, 1) + scene + " -o results");
+      INFO(content_of(folder / "said"));
+      CHECK(status == 0);
+    }
+}
+
 TEST_CASE("Solids of cells beside particles refuse mpirun in one message", "[apps][mpi][ranks]")
 {
   if (places::skipped_without_mpirun())

@@ -2,6 +2,8 @@
 #include "base/errors.h"
 #include "clusters.h"
 #include "dem/specimen/core.h"
+#include "dem/specimen/rank_shares.h"
+#include "dem/specimen/read_by_first.h"
 #include "dem/specimen/specimen.h"
 #include "periodic_cell_fixture.h"
 #include "rank_threads.h"
@@ -94,6 +96,43 @@ namespace
     return names + (a.size() == b.size() ? "" : " (others)");
   }
 
+  /** What is read of a specimen from outside, in a row. */
+  std::vector<double> readings_of(const dem::ObservedSpecimen &specimen)
+  {
+    const dem::EnergyAccount e = specimen.energy();
+    const dem::Counts        n = specimen.counts();
+    std::vector<double>      row{e.external_work,
+                            e.gravity,
+                            e.initial,
+                            e.kinetic,
+                            e.elastic,
+                            e.damage,
+                            e.friction,
+                            e.damping,
+                            e.released,
+                            n.deepest_overlap,
+                            specimen.stable_step(),
+                            specimen.mean_damage(),
+                            specimen.unbalanced_ratio()};
+    for (const std::size_t count : {n.links, n.contacts, n.broken, n.wall_contacts})
+      row.push_back(static_cast<double>(count));
+    const auto     append = [&](const auto &numbers) { row.insert(row.end(), numbers.begin(), numbers.end()); };
+    const Vector3d force  = specimen.force_on({0, 1, 2, 3, 4, 5, 6, 7});
+    append(std::vector<double>(force.data(), force.data() + 3));
+    const dem::ParticleOutput particles = specimen.particles();
+    append(particles.damage);
+    for (std::size_t i = 0; i < particles.position.size(); ++i)
+      {
+        append(std::vector<double>(particles.position[i].data(), particles.position[i].data() + 3));
+        append(std::vector<double>(particles.velocity[i].data(), particles.velocity[i].data() + 3));
+        append(std::vector<double>(particles.stress[i].data(), particles.stress[i].data() + 9));
+      }
+    const dem::LinkOutput links = specimen.links();
+    append(links.normal_force);
+    append(links.damage);
+    return row;
+  }
+
   struct Case
   {
     const char  *name;
@@ -133,7 +172,8 @@ namespace
     omp_set_num_threads(1);
     const auto alone = each.make();
     alone->advance(each.steps / 2);
-    const State half = state_of(*alone);
+    const State               half = state_of(*alone);
+    const std::vector<double> read = readings_of(alone->specimen());
     alone->advance(each.steps - each.steps / 2);
     const State       whole  = state_of(*alone);
     const double      damage = alone->specimen().mean_damage();
@@ -158,6 +198,13 @@ namespace
             {
               body->advance(each.steps / 2);
               different[ranks->rank()] = differences(half, state_of(*body)); // reading it changes nothing
+              {
+                const dem::ReadByFirst reading(body->specimen());
+                if (ranks->rank() == 0 && readings_of(body->specimen()) != read)
+                  different[0] += " read by the first";
+              }
+              if (readings_of(body->specimen()) != read)
+                different[ranks->rank()] += " read by all";
             }
           body->advance(each.steps - each.steps / 2);
           damages[ranks->rank()] = body->specimen().mean_damage();
@@ -188,6 +235,85 @@ TEST_CASE("the same for other numbers of ranks, and after more steps", "[dem][ra
     {
       each.steps *= 2;
       check_on_ranks(each, {{2, 0, true}, {4, 0, false}, {5, 30, true}, {8, 50, false}});
+    }
+}
+
+namespace
+{
+  struct Memory
+  {
+    std::vector<dem::RankMemory> at_work, after_sums, after_all, later; ///< of each rank
+    std::size_t                  written = 0;                           ///< numbers of a state
+  };
+
+  /** A block of bonded spheres at several moments of its run. */
+  Memory memory_on(const std::size_t count, const std::function<dem::Specimen()> &make)
+  {
+    Memory found;
+    rank_threads::run(count, [&](const std::shared_ptr<dem::Ranks> &ranks) {
+      omp_set_num_threads(1);
+      dem::Specimen body = make();
+      body.share_among(ranks);
+      const auto note = [&](std::vector<dem::RankMemory> &to) {
+        if (const auto shares = dem::memory_of_ranks(body); ranks->rank() == 0)
+          to = shares;
+      };
+      body.advance(20);
+      note(found.at_work);
+      body.energy();
+      body.mean_damage();
+      body.counts();
+      State       state;
+      StateKeeper keeper(state);
+      body.visit_state(keeper);
+      note(found.after_sums);
+      if (ranks->rank() == 0)
+        for (const auto &[name, values] : state)
+          found.written += values.size();
+      body.links();
+      note(found.after_all);
+      body.advance(20);
+      note(found.later);
+    });
+    return found;
+  }
+} // namespace
+
+TEST_CASE("a rank has memory for its own links and particles, for copies and ghosts, and for what all know",
+          "[dem][ranks]")
+{
+  omp_set_num_threads(1);
+  const auto make = [] {
+    dem::Specimen block(cluster::cubic_lattice(32, 32, 32, 1e-3), cluster::bonded(1.5), cluster::concrete());
+    block.set_velocity(0, Vector3d(1, 0, 0), Vector3d::Zero());
+    return block;
+  };
+  dem::Specimen     alone = make();
+  const std::size_t whole = alone.bytes();
+  State             state;
+  StateKeeper       keeper(state);
+  alone.visit_state(keeper);
+  std::size_t written = 0;
+  for (const auto &[name, values] : state)
+    written += values.size();
+  for (const std::size_t count : {2, 4})
+    {
+      const std::vector<dem::RankShare> shares = dem::share_out(alone, count);
+      const Memory                      memory = memory_on(count, make);
+      CHECK(memory.written == written);
+      for (std::size_t r = 0; r < count; ++r)
+        {
+          const auto least = static_cast<double>(dem::least_bytes(alone, shares[r]));
+          INFO("rank " << r << " of " << count << ", " << least << " of " << whole << " bytes at least");
+          CHECK(least < static_cast<double>(whole) * (count == 2 ? 0.66 : 0.5));
+          for (const std::vector<dem::RankMemory> *at : {&memory.at_work, &memory.after_sums, &memory.later})
+            {
+              CHECK(static_cast<double>((*at)[r].now) >= 0.97 * least);
+              CHECK(static_cast<double>((*at)[r].now) <= least + 0.2 * static_cast<double>(whole));
+            }
+          CHECK(memory.after_all[r].now >= 0.95 * static_cast<double>(whole));
+          CHECK(memory.later[r].in_steps == memory.later[r].now);
+        }
     }
 }
 

@@ -125,11 +125,11 @@ namespace apps
 
   void CoupledRun::snapshot()
   {
+    snapshots.take(body->particles().specimen());
     if (!solids)
       return;
     body->write_solid(location, solids->size());
     solids->add(body->time());
-    snapshots.take(body->particles().specimen());
     list_together();
   }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "apps/figures/lab_report.h"
+#include "apps/process/mpi_session.h"
 #include "apps/results/run_work.h"
 #include "apps/results/warning.h"
 #include "apps/runs/quasi_static/model.h"
@@ -64,8 +65,14 @@ namespace apps
     bool      finished() const { return path.finished(); }
     /** When finished: completes the result, and takes the last snapshot. */
     void complete();
-    /** Then: leaves TEST_crack.png in a folder. */
-    void write(const std::filesystem::path &folder) const { warn_of_missing("crack picture", draw_crack(folder)); }
+    /** Then: leaves TEST_crack.png in a folder, which the first rank alone has; all call this. */
+    void write(const std::filesystem::path &folder) const
+    {
+      on_first_rank([&] {
+        if (!folder.empty())
+          warn_of_missing("crack picture", draw_crack(folder));
+      });
+    }
     /** A network of links without inertia has none. */
     std::shared_ptr<const dem::ObservedSpecimen> specimen_at_end() const { return nullptr; }
 

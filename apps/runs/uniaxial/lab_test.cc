@@ -4,10 +4,12 @@
 #include "apps/figures/energy_terms.h"
 #include "apps/process/mpi_ranks.h"
 #include "apps/process/progress.h"
+#include "apps/process/rank_meetings.h"
 #include "apps/results/warning.h"
 #include "base/errors.h"
 #include "base/stopwatch.h"
 #include "dem/observation/discrete_state.h"
+#include "dem/specimen/read_by_first.h"
 #include "postprocess/hdf5/discrete_state_hdf5.h"
 #include "postprocess/pictures/specimen_picture.h"
 
@@ -172,16 +174,32 @@ namespace apps
         result.strain.push_back(sample.strain);
         result.stress.push_back(sample.stress);
       }
-    result.link_classes        = classes.figures(specimen);
     result.emission            = EmissionFigures(specimen).row();
     result.fracture_zone_width = zone.width(specimen.parameters().physics.dimension).value_or(0.0);
     note_work_of_fracture(result.notes, test.figures());
+    const dem::ReadByFirst reading(specimen);
+    on_first_rank([this] { measure_links(); });
+    take_state_from_first_rank(result);
+  }
+
+  void UniaxialLabTest::measure_links()
+  {
     const dem::SpecimenParameters &made = specimen.parameters();
+    result.link_classes                 = classes.figures(specimen);
     result.notes.crack                  = dem::measure_crack(specimen.particles(), specimen.links(),
                                                              {made.physics.dimension, made.density, made.thickness});
   }
 
   void UniaxialLabTest::write(const std::filesystem::path &folder) const
+  {
+    const dem::ReadByFirst reading(specimen);
+    on_first_rank([&] {
+      if (!folder.empty())
+        write_links(folder);
+    });
+  }
+
+  void UniaxialLabTest::write_links(const std::filesystem::path &folder) const
   {
     postprocess::write_discrete_state(dem::discrete_state(specimen), folder / (name + "_state.h5"));
     warn_of_missing("crack picture", draw_crack(folder));

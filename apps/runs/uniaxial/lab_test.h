@@ -54,7 +54,7 @@ namespace apps
     bool      finished() const { return test.finished(); }
     /** When finished: completes the result, and takes the last snapshot. */
     void complete();
-    /** Then: leaves in a folder TEST_state.h5, from which `breccia transfer` can go on, TEST_crack.png, and its emission. */
+    /** Then: leaves in a folder, which the first rank alone has, TEST_state.h5, from which `breccia transfer` can go on, TEST_crack.png, and its emission; all call this. */
     void write(const std::filesystem::path &folder) const;
     /** Of a complete test; it has none itself from then on. */
     std::shared_ptr<const dem::ObservedSpecimen> specimen_at_end();
@@ -76,6 +76,9 @@ namespace apps
   private:
     UniaxialLabTest(const UniaxialModel &model, const JointedPacking &jointed, std::size_t number);
 
+    /** What is read of all links at the end; by the first rank. */
+    void        measure_links();
+    void        write_links(const std::filesystem::path &folder) const;
     bool        snapshot_due() const;                            ///< with the last sample
     int         seen_along() const { return axis == 2 ? 1 : 2; } ///< of pictures, across the load
     std::string draw_crack(const std::filesystem::path &folder) const;

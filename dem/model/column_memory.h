@@ -1,0 +1,32 @@
+#pragma once
+
+#include "dem/model/links.h"
+#include "dem/model/particles.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace dem
+{
+  /** Call use(column, numbers of a line) for what only those need of a set who update its links; all others know which there are. */
+  template <typename Links, typename Use>
+  void each_column_of_state(Links &links, const Use &use)
+  {
+    use(links.reference_length, std::size_t{1});
+    for (auto &column : links.history)
+      use(column, std::size_t{1});
+    use(links.force, std::size_t{record_size});
+    if (links.moments_apart)
+      use(links.moment, std::size_t{half_record_size});
+  }
+
+  /** Records of particles that only those need who move them, or update links that end in them; places all know. */
+  template <typename Of>
+  auto records_of_motion(Of &particles)
+  {
+    return std::vector{&particles.motion, &particles.velocity, &particles.force, &particles.inverse_mass};
+  }
+
+  /** Memory that particles and links take up in this process at present [B]. */
+  std::size_t resident_bytes(const Particles &particles, const std::vector<const LinkSet *> &sets);
+} // namespace dem

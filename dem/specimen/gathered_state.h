@@ -1,0 +1,33 @@
+#pragma once
+
+#include "dem/specimen/core.h"
+
+#include <string>
+
+namespace dem
+{
+  /**
+   * Shows the state of a specimen that several ranks share to a visitor that writes it: columns of which each rank has its part are gathered one
+   * by one, so that no rank needs the memory of more than one of them at a time. All ranks visit.
+   */
+  class GatheredState : public base::StateVisitor
+  {
+  public:
+    /** @pre core.shares() */
+    GatheredState(SpecimenCore &core, base::StateVisitor &inner);
+    ~GatheredState() override;
+    GatheredState(const GatheredState &)            = delete;
+    GatheredState &operator=(const GatheredState &) = delete;
+
+    void column(const std::string &name, base::Column &values) override;
+    void column(const std::string &name, std::vector<std::int32_t> &values) override { inner.column(name, values); }
+    void scalar(const std::string &name, double &value) override { inner.scalar(name, value); }
+    /** @throws std::logic_error where the visitor is one that reads: a state is taken up before a specimen's first step */
+    void scalar(const std::string &name, std::int64_t &value) override;
+
+  private:
+    SpecimenCore       &core;
+    base::StateVisitor &inner;
+    const bool          bonds_in_parts, contacts_in_parts; ///< also once tables of what was written are made anew
+  };
+} // namespace dem

@@ -1,0 +1,364 @@
+// Who has what of a specimen among ranks, and how the others come to read it (doc/theory/ranks.md, 3).
+
+#include "dem/core/memory_pages.h"
+#include "dem/model/column_memory.h"
+#include "dem/specimen/shared_work.h"
+
+#include <algorithm>
+#include <cstring>
+#include <limits>
+#include <tuple>
+#include <utility>
+
+namespace dem
+{
+  namespace
+  {
+    /** What is read at least this often stays where all can read it: giving memory back and taking it again takes time. */
+    constexpr std::int64_t steps_between_readings = 16;
+
+    /** Call use(begin, end) for what lies between the parts of a set, among some of its lines. */
+    template <typename Use>
+    void each_gap(const LinkSet &links, const LinkPart &among, const Use &use)
+    {
+      auto        part = std::lower_bound(links.parts.begin(), links.parts.end(), among.begin,
+                                          [](const LinkPart &each, const std::size_t line) { return each.end <= line; });
+      std::size_t at   = among.begin;
+      for (; part != links.parts.end() && part->begin < among.end; ++part)
+        {
+          if (part->begin > at)
+            use(at, part->begin);
+          at = part->end;
+        }
+      if (at < among.end)
+        use(at, among.end);
+    }
+  } // namespace
+
+  // --- What others have takes no memory ---
+
+  void SharedWork::drop(base::Column &column, const std::size_t begin, const std::size_t end) const
+  {
+    if (move_every > 0)
+      std::fill(column.begin() + static_cast<std::ptrdiff_t>(begin), column.begin() + static_cast<std::ptrdiff_t>(end),
+                std::numeric_limits<double>::quiet_NaN());
+    else
+      give_back(column, begin, end);
+  }
+
+  void SharedWork::drop_lines(base::Column     &column,
+                              const std::size_t numbers_of_line,
+                              const LinkSet    &links,
+                              const LinkPart   &among) const
+  {
+    each_gap(links, among, [&](const std::size_t begin, const std::size_t end) {
+      drop(column, numbers_of_line * begin, numbers_of_line * end);
+    });
+  }
+
+  void SharedWork::take_small_pages_of_others(LinkSet &links, const SetShare &share) const
+  {
+    each_column_of_state(links, [&](base::Column &column, const std::size_t numbers) {
+      for (const auto &begin : share.block_begin)
+        {
+          const auto number = [&](const std::size_t block) {
+            return numbers * std::min(block * links_per_block, links.first.size());
+          };
+          take_small_pages(column, number(begin.front()), number(begin[rank()]));
+          take_small_pages(column, number(begin[rank() + 1]), number(begin.back()));
+        }
+    });
+  }
+
+  void SharedWork::take_small_pages_of_others(Particles &particles) const
+  {
+    for (base::Column *column : records_of_motion(particles))
+      {
+        take_small_pages(*column, 0, record_size * static_cast<std::size_t>(first()));
+        take_small_pages(*column, record_size * static_cast<std::size_t>(last()), record_size * particles.count);
+      }
+  }
+
+  bool SharedWork::may_go(std::int64_t &since) const { return since++ >= steps_between_readings || move_every > 0; }
+
+  void SharedWork::keep_own(LinkSet &links, SetShare &share)
+  {
+    for (const std::size_t block : std::exchange(share.borrowed, {}))
+      if (share.lean)
+        each_column_of_state(links, [&](base::Column &column, const std::size_t numbers) {
+          drop_lines(column, numbers, links, links.part_of_block(block));
+        });
+    if (share.lean || !may_go(share.since_read))
+      return;
+    drop_others(links);
+    share.lean = given_back = true;
+  }
+
+  void SharedWork::drop_others(LinkSet &links)
+  {
+    each_column_of_state(links, [&](base::Column &column, const std::size_t numbers) {
+      drop_lines(column, numbers, links, {0, links.first.size(), 0, true});
+    });
+  }
+
+  void SharedWork::drop_others(Particles &particles)
+  {
+    for (base::Column *column : records_of_motion(particles))
+      drop_records(*column, particles.count);
+  }
+
+  void SharedWork::keep_own(Particles &particles, const std::vector<std::int32_t> &also)
+  {
+    if (lean || !may_go(since_read))
+      return;
+    kept = also;
+    for (const std::vector<std::int32_t> &of : ghosts)
+      kept.insert(kept.end(), of.begin(), of.end());
+    std::sort(kept.begin(), kept.end());
+    drop_others(particles);
+    lean = masses_absent = given_back = true;
+    with_masses.clear();
+  }
+
+  void SharedWork::drop_records(base::Column &column, const std::size_t particles) const
+  {
+    const auto drop_between = [&](std::size_t at, const std::size_t end) {
+      for (auto next = std::lower_bound(kept.begin(), kept.end(), static_cast<std::int32_t>(at));
+           next != kept.end() && static_cast<std::size_t>(*next) < end; ++next)
+        {
+          const auto keep = static_cast<std::size_t>(*next);
+          if (keep > at)
+            drop(column, record_size * at, record_size * keep);
+          at = keep + 1;
+        }
+      if (at < end)
+        drop(column, record_size * at, record_size * end);
+    };
+    drop_between(0, static_cast<std::size_t>(first()));
+    drop_between(static_cast<std::size_t>(last()), particles);
+  }
+
+  // --- To read all of it ---
+
+  void SharedWork::gather_on_first(char *array, const std::vector<std::size_t> &begin)
+  {
+    constexpr std::size_t at_once = std::size_t(8) << 20; // a message is a copy
+    for (std::size_t r = 1; r < size(); ++r)
+      for (std::size_t at = begin[r]; at < begin[r + 1]; at += at_once)
+        {
+          std::vector<RankMessage> from_here, at_first;
+          const std::size_t        part = std::min(at_once, begin[r + 1] - at);
+          if (rank() == r)
+            std::memcpy(
+              from_here.emplace_back(RankMessage{0, std::vector<double>(part / sizeof(double))}).numbers.data(),
+              array + at, part);
+          if (rank() == 0)
+            at_first.push_back({r, std::vector<double>(part / sizeof(double))});
+          ranks->exchange(from_here, at_first);
+          if (rank() == 0)
+            std::memcpy(array + at, at_first.front().numbers.data(), part);
+        }
+  }
+
+  void SharedWork::gather(void *array, const std::vector<std::size_t> &begin)
+  {
+    if (to_first)
+      return gather_on_first(static_cast<char *>(array), begin);
+    bytes += static_cast<std::int64_t>(begin[rank() + 1] - begin[rank()]);
+    ++messages;
+    ranks->gather(array, begin);
+  }
+
+  void SharedWork::gather_numbers(double *all, const std::size_t of_each)
+  {
+    std::vector<std::size_t> begin;
+    for (const std::int32_t particle : particle_begin)
+      begin.push_back(static_cast<std::size_t>(particle) * of_each * sizeof(double));
+    gather(all, begin);
+  }
+
+  void SharedWork::gather_places(Particles &particles)
+  {
+    since_read = 0;
+    if (!std::exchange(places_stale, false))
+      return;
+    gather_column(particles.pose);
+    gather_column(particles.motion);
+    lean = false;
+  }
+
+  void SharedWork::gather_particles(Particles &particles)
+  {
+    gather_places(particles);
+    if (!std::exchange(rates_stale, false))
+      return;
+    gather_column(particles.velocity);
+    gather_column(particles.force);
+    if (std::exchange(masses_absent, false))
+      gather_column(particles.inverse_mass);
+    lean = false;
+  }
+
+  void SharedWork::gather_blocks(void *column, const std::size_t bytes_of_block, const SetShare &share)
+  {
+    auto *bytes_of_column = static_cast<char *>(column);
+    for (const std::vector<std::size_t> &blocks : share.block_begin)
+      {
+        std::vector<std::size_t> begin;
+        for (const std::size_t block : blocks)
+          begin.push_back((block - blocks.front()) * bytes_of_block);
+        if (begin.back() > 0)
+          gather(bytes_of_column + blocks.front() * bytes_of_block, begin);
+      }
+  }
+
+  void SharedWork::gather_column(base::Column &column, const std::size_t numbers_of_line, const SetShare &share)
+  {
+    gather_blocks(column.data(), numbers_of_line * sizeof(double) * links_per_block, share);
+  }
+
+  void SharedWork::gather_links(LinkSet &links, SetShare &share)
+  {
+    share.since_read = 0;
+    if (!std::exchange(share.stale, false) || links.count == 0)
+      return;
+    each_column_of_state(
+      links, [&](base::Column &column, const std::size_t numbers) { gather_column(column, numbers, share); });
+    gather_blocks(links.accounts.data(), sizeof(LinkBlockAccount), share);
+    share.lean = false;
+  }
+
+  void SharedWork::let_first_read(const std::function<void()> &gather_all)
+  {
+    auto       here   = std::tie(places_stale, rates_stale, lean, masses_absent, since_read, of_bonds, of_contacts);
+    const auto before = std::tuple(places_stale, rates_stale, lean, masses_absent, since_read, of_bonds, of_contacts);
+    to_first          = true;
+    gather_all();
+    to_first    = false;
+    here        = before; // of all ranks alike: they go on as if nothing had been gathered
+    reads_alone = rank() == 0;
+  }
+
+  void SharedWork::let_go(Particles &particles, LinkSet &bonds, LinkSet &contacts)
+  {
+    if (!std::exchange(reads_alone, false))
+      return;
+    for (const auto &[links, share] : {std::pair(&bonds, &of_bonds), std::pair(&contacts, &of_contacts)})
+      if (share->lean)
+        drop_others(*links);
+    if (lean)
+      drop_others(particles);
+  }
+
+  void SharedWork::gather_accounts(LinkSet &bonds, LinkSet &contacts)
+  {
+    if (reads_alone)
+      return;
+    for (const auto &[links, share] : {std::pair(&bonds, &of_bonds), std::pair(&contacts, &of_contacts)})
+      if (links->in_parts && share->stale && links->count > 0)
+        gather_blocks(links->accounts.data(), sizeof(LinkBlockAccount), *share);
+  }
+
+  // --- One after the other ---
+
+  void
+  SharedWork::relay(const std::vector<std::size_t> &begin, const OfLines &use, double *numbers, const std::size_t count)
+  {
+    for (std::size_t r = 0; r < size(); ++r)
+      {
+        if (r == rank() && begin[r + 1] > begin[r])
+          use(begin[r], begin[r + 1]);
+        std::vector<RankMessage> to_next, from_last;
+        if (r == rank() && r + 1 < size())
+          to_next.push_back({r + 1, std::vector<double>(numbers, numbers + count)});
+        if (r + 1 == rank())
+          from_last.push_back({r, std::vector<double>(count)});
+        if (r + 1 < size())
+          ranks->exchange(to_next, from_last);
+        if (!from_last.empty())
+          std::copy_n(from_last.front().numbers.data(), count, numbers);
+      }
+    std::vector<std::size_t> of_last(size() + 1, 0);
+    of_last.back() = count * sizeof(double);
+    gather(numbers, of_last);
+  }
+
+  void SharedWork::relay_lines(
+    const LinkSet &links, const SetShare &share, const OfLines &use, double *numbers, const std::size_t count)
+  {
+    if (links.count == 0)
+      return;
+    if (!links.in_parts)
+      return use(0, links.count); // all have all of it
+    for (const std::vector<std::size_t> &blocks : share.block_begin)
+      {
+        std::vector<std::size_t> begin;
+        for (const std::size_t block : blocks)
+          begin.push_back(std::min(block * links_per_block, links.count));
+        relay(begin, use, numbers, count);
+      }
+  }
+
+  void SharedWork::relay_bonds(const LinkSet &bonds, const OfLines &use, double *numbers, const std::size_t count)
+  {
+    relay_lines(bonds, of_bonds, use, numbers, count);
+  }
+
+  void SharedWork::relay_contacts(const LinkSet &contacts, const OfLines &use, double *numbers, const std::size_t count)
+  {
+    relay_lines(contacts, of_contacts, use, numbers, count);
+  }
+
+  void SharedWork::relay_particles(const OfLines &use, double *numbers, const std::size_t count)
+  {
+    relay({particle_begin.begin(), particle_begin.end()}, use, numbers, count);
+  }
+
+  void SharedWork::add_up(ExactSum &sum)
+  {
+    std::vector<ExactSum>    of(size());
+    std::vector<std::size_t> begin;
+    for (std::size_t r = 0; r <= size(); ++r)
+      begin.push_back(r * sizeof(ExactSum));
+    of[rank()] = sum;
+    gather(of.data(), begin);
+    sum = {};
+    for (const ExactSum &each : of)
+      sum.add(each);
+  }
+
+  // --- One column of it ---
+
+  void SharedWork::with_column(base::Column                &column,
+                               const LinkSet               &links,
+                               const SetShare              &share,
+                               const std::function<void()> &read)
+  {
+    if (!links.in_parts || !share.stale || links.count == 0)
+      return read();
+    const std::size_t numbers = column.size() / links.first.size();
+    gather_column(column, numbers, share);
+    read();
+    if (share.lean)
+      drop_lines(column, numbers, links, {0, links.first.size(), 0, true});
+  }
+
+  void SharedWork::with_column_of_bonds(base::Column &column, LinkSet &bonds, const std::function<void()> &read)
+  {
+    with_column(column, bonds, of_bonds, read);
+  }
+
+  void SharedWork::with_column_of_contacts(base::Column &column, LinkSet &contacts, const std::function<void()> &read)
+  {
+    with_column(column, contacts, of_contacts, read);
+  }
+
+  void SharedWork::with_records(base::Column &column, const Particles &particles, const std::function<void()> &read)
+  {
+    if (places_stale || rates_stale || masses_absent)
+      gather_column(column);
+    read();
+    if (lean)
+      drop_records(column, particles.count);
+  }
+} // namespace dem
