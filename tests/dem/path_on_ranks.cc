@@ -130,10 +130,15 @@ namespace
 TEST_CASE("an iterated path of tension has the forces and the breaks of one by factors", "[dem][statics][ranks][slow]")
 {
   omp_set_num_threads(1);
-  const bool               cell    = GENERATE(false, true);
-  const dem::LoadedNetwork loaded  = cell ? cell_of(150) : box_of(300);
-  const Course             factors = course_of(loaded, pulled(3e-4, dem::SolverMethod::direct));
-  const Course             course  = course_of(loaded, pulled(3e-4, dem::SolverMethod::iterative));
+  const bool               cell      = GENERATE(false, true);
+  const dem::LoadedNetwork loaded    = cell ? cell_of(150) : box_of(300);
+  const auto               precisely = [](const dem::SolverMethod solver) {
+    dem::QuasiStaticParameters p = pulled(3e-4, solver);
+    p.tolerance = 1e-9; // softening enlarges what is left unbalanced, which differs with the factor's kernels
+    return p;
+  };
+  const Course factors = course_of(loaded, precisely(dem::SolverMethod::direct));
+  const Course course  = course_of(loaded, precisely(dem::SolverMethod::iterative));
   REQUIRE(factors.breaks.order.size() > 10);
   CHECK(course.breaks.order == factors.breaks.order);
   REQUIRE(course.points.size() == factors.points.size());
@@ -143,7 +148,9 @@ TEST_CASE("an iterated path of tension has the forces and the breaks of one by f
       INFO("point " << i);
       CHECK(course.points[i].control == factors.points[i].control);
       const double difference = (course.points[i].stress - factors.points[i].stress).norm();
-      CHECK(difference < 1e-5 * borne); // a hundred times what residuals may be: softening enlarges it
+      // Where a crack runs away, dynamics ends wherever forces first balance; solutions after it come together again.
+      const bool relaxed = course.points[i].control == dem::StepControl::relaxed;
+      CHECK(difference < (relaxed ? 1e-4 : 1e-5) * borne);
     }
 }
 
