@@ -73,6 +73,22 @@ namespace dem
         work += links.moment_of(l).dot(moved(K, 3) - moved(J, 3));
       return work;
     }
+
+    /** Of the living among some lines, what value(reader, link) says of each, added in their order. */
+    template <typename Value>
+    void add_of_living(const Particles &particles,
+                       const LinkSet   &links,
+                       const LinkLaw   &law,
+                       const LinkRange &lines,
+                       double          &sum,
+                       const Value     &value)
+    {
+      LinkReader reader(particles, links, law);
+      each_living(links, lines, [&](const std::size_t l) {
+        reader.read(l);
+        sum += value(reader, l);
+      });
+    }
   } // namespace
 
   double work_not_taken_up(const Particles &particles, const LinkSet &links, const LinkView &link, const std::size_t l)
@@ -102,23 +118,15 @@ namespace dem
   void add_elastic_energy(
     const Particles &particles, const LinkSet &links, const LinkLaw &law, const LinkRange &lines, double &sum)
   {
-    LinkReader reader(particles, links, law);
-    each_living(links, lines, [&](const std::size_t l) {
-      reader.read(l);
-      sum += reader.stored();
-    });
+    add_of_living(particles, links, law, lines, sum, [](LinkReader &reader, std::size_t) { return reader.stored(); });
   }
 
   double energy_of_strain(const Particles &particles, const LinkSet &links, const LinkLaw &law, const double strain)
   {
-    LinkReader reader(particles, links, law);
-    double     sum = 0;
-    for (std::size_t l = 0; l < links.count; ++l)
-      if (links.is_alive(l))
-        {
-          reader.read(l);
-          sum += 0.5 * links.area[l] * links.reference_length[l] * reader.closed_stiffness().normal * strain * strain;
-        }
+    double sum = 0;
+    add_of_living(particles, links, law, all_lines(links), sum, [&](LinkReader &reader, const std::size_t l) {
+      return 0.5 * links.area[l] * links.reference_length[l] * reader.closed_stiffness().normal * strain * strain;
+    });
     return sum;
   }
 
@@ -133,11 +141,8 @@ namespace dem
   void add_damage_dissipation(
     const Particles &particles, const LinkSet &links, const LinkLaw &law, const LinkRange &lines, double &sum)
   {
-    LinkReader reader(particles, links, law);
-    each_living(links, lines, [&](const std::size_t l) {
-      reader.read(l);
-      sum += reader.damage_dissipation();
-    });
+    add_of_living(particles, links, law, lines, sum,
+                  [](LinkReader &reader, std::size_t) { return reader.damage_dissipation(); });
   }
 
   double plastic_dissipation(const LinkSet &links)

@@ -11,7 +11,7 @@ namespace apps
 {
   namespace
   {
-    /** A factor cannot be shared. */
+    /** They need a factor, which cannot be shared. */
     void refuse_turning_grips_on_ranks(const QuasiStaticModel &model)
     {
       if (rank_count() > 1 && !model.is_cell() && model.grips_turn)
