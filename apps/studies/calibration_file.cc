@@ -154,7 +154,8 @@ namespace apps
         .means("Where results go (option -o)")
         .housekeeping();
       root.integer("Threads per run", calibration.threads_per_run, "", Range::between(1, 1024), Need::optional)
-        .means("As many runs go on at a time as there are processors for")
+        .means("As many runs go on at a time as there are processors for; where fewer are left that last ten seconds "
+               "or more, they share these")
         .housekeeping();
       declare_least_squares(calibration, root.section("Search", "Least squares"));
       declare_replicates(calibration, root.section("Replicates", "Several packings"));

@@ -217,14 +217,11 @@ namespace apps
       {
         while (started < jobs.size() && children.has_room())
           {
-            const Job               &job   = jobs[started];
-            std::vector<std::string> words = {"run",
-                                              job.scene,
-                                              "--restart",
-                                              "--threads",
-                                              std::to_string(calibration.threads_per_run),
-                                              "-o",
-                                              folder_of(job).string()};
+            const Job &job = jobs[started];
+            const int  threads =
+              threads_of_a_run(together(), static_cast<int>(calibration.threads_per_run), jobs.size() - ended, longest);
+            std::vector<std::string> words = {
+              "run", job.scene, "--restart", "--threads", std::to_string(threads), "-o", folder_of(job).string()};
             for (const std::string &change : job.changes)
               words.insert(words.end(), {"-s", change});
             children.start(static_cast<long>(started++), words, log_of(job));
@@ -240,6 +237,7 @@ namespace apps
           record_of(job), {{"changes", job.changes},
                            {"seconds", child->seconds},
                            {"message", child->status == exit_success ? "" : last_words(log_of(job), child->status)}});
+        longest = std::max(longest, child->seconds);
         ++ended;
       }
     made += static_cast<int>(jobs.size());

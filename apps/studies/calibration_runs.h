@@ -107,6 +107,7 @@ namespace apps
     std::vector<std::pair<std::string, std::string>>           labels; ///< of each target
     Eigen::VectorXd                                            observed, places, deviations;
     std::map<std::pair<std::string, std::string>, std::string> units; ///< of entries, by scene and path
-    int                                                        made = 0;
+    int                                                        made    = 0;
+    double                                                     longest = 0; ///< of the runs [s]
   };
 } // namespace apps

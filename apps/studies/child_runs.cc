@@ -90,6 +90,13 @@ namespace apps
     return status > 128 ? fmt::format("ended by signal {}", status - 128) : fmt::format("exit status {}", status);
   }
 
+  int threads_of_a_run(const int together, const int threads, const std::size_t left, const double seconds)
+  {
+    constexpr double worth_threads = 10;
+    const int        runs          = static_cast<int>(std::clamp<std::size_t>(left, 1, together));
+    return seconds < worth_threads ? threads : threads * (together / runs);
+  }
+
   int usable_processors()
   {
 #ifdef __linux__

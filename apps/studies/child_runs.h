@@ -67,6 +67,13 @@ namespace apps
   /** What the program said when it gave up: the last line of its log that begins with its name, or how it ended. */
   std::string last_words(const std::filesystem::path &log, int status);
 
+  /**
+   * Processors that too few runs are left for go to those that are, where they last long enough for threads to pay.
+   * @param together runs that there are processors for @param threads of each of these
+   * @param left runs that have not ended @param seconds that the longest so far took
+   */
+  int threads_of_a_run(int together, int threads, std::size_t left, double seconds);
+
   /** Processors that this process may use. */
   int usable_processors();
 } // namespace apps

@@ -33,3 +33,17 @@ TEST_CASE("a run more is started only where as much memory is free as the larges
   runs.start(3, words, folder / "3.log");
   CHECK_FALSE(runs.has_room()); // two at a time
 }
+
+TEST_CASE("processors that too few runs are left for go to these, if they last", "[apps]")
+{
+  using apps::threads_of_a_run;
+  constexpr double last = 60, are_short = 1;
+  CHECK(threads_of_a_run(8, 1, 20, last) == 1);
+  CHECK(threads_of_a_run(8, 1, 8, last) == 1);
+  CHECK(threads_of_a_run(8, 1, 5, last) == 1); // eight cannot be shared by five
+  CHECK(threads_of_a_run(8, 1, 3, last) == 2);
+  CHECK(threads_of_a_run(8, 1, 1, last) == 8);
+  CHECK(threads_of_a_run(4, 2, 1, last) == 8);
+  CHECK(threads_of_a_run(1, 1, 1, last) == 1);
+  CHECK(threads_of_a_run(8, 1, 1, are_short) == 1);
+}
