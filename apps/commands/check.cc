@@ -7,6 +7,7 @@
 #include "apps/scene/kinds/read_scene.h"
 #include "apps/scene/reader.h"
 #include "apps/studies/calibration_runs.h"
+#include "apps/studies/child_runs.h"
 #include "apps/studies/replicates.h"
 #include "apps/studies/run_study.h"
 #include "base/errors.h"

@@ -217,9 +217,9 @@ namespace apps
       {
         while (started < jobs.size() && children.has_room())
           {
-            const Job &job = jobs[started];
-            const int  threads =
-              threads_of_a_run(together(), static_cast<int>(calibration.threads_per_run), jobs.size() - ended, longest);
+            const Job &job                 = jobs[started];
+            const int  threads             = threads_of_a_run(together(), static_cast<int>(calibration.threads_per_run),
+                                                              static_cast<std::int64_t>(jobs.size() - ended), longest);
             std::vector<std::string> words = {
               "run", job.scene, "--restart", "--threads", std::to_string(threads), "-o", folder_of(job).string()};
             for (const std::string &change : job.changes)

@@ -90,11 +90,18 @@ namespace apps
     return status > 128 ? fmt::format("ended by signal {}", status - 128) : fmt::format("exit status {}", status);
   }
 
-  int threads_of_a_run(const int together, const int threads, const std::size_t left, const double seconds)
+  SharedThreads shared_threads(const int threads, const std::int64_t left)
+  {
+    SharedThreads shared;
+    shared.runs    = static_cast<int>(std::min<std::int64_t>(std::max(threads, 1), left));
+    shared.threads = std::max(1, threads / shared.runs);
+    return shared;
+  }
+
+  int threads_of_a_run(const int together, const int threads, const std::int64_t left, const double seconds)
   {
     constexpr double worth_threads = 10;
-    const int        runs          = static_cast<int>(std::clamp<std::size_t>(left, 1, together));
-    return seconds < worth_threads ? threads : threads * (together / runs);
+    return seconds < worth_threads ? threads : threads * shared_threads(together, left).threads;
   }
 
   int usable_processors()

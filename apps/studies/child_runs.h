@@ -67,12 +67,19 @@ namespace apps
   /** What the program said when it gave up: the last line of its log that begins with its name, or how it ended. */
   std::string last_words(const std::filesystem::path &log, int status);
 
+  /** How many of the runs that are left go on at a time, and how many threads each has. */
+  struct SharedThreads
+  {
+    int runs = 1, threads = 1;
+  };
+  SharedThreads shared_threads(int threads, std::int64_t left);
+
   /**
    * Processors that too few runs are left for go to those that are, where they last long enough for threads to pay.
    * @param together runs that there are processors for @param threads of each of these
    * @param left runs that have not ended @param seconds that the longest so far took
    */
-  int threads_of_a_run(int together, int threads, std::size_t left, double seconds);
+  int threads_of_a_run(int together, int threads, std::int64_t left, double seconds);
 
   /** Processors that this process may use. */
   int usable_processors();

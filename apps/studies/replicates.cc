@@ -132,14 +132,6 @@ namespace apps
     return changes;
   }
 
-  SharedThreads shared_threads(const int threads, const std::int64_t replicates)
-  {
-    SharedThreads shared;
-    shared.runs    = static_cast<int>(std::min<std::int64_t>(std::max(threads, 1), replicates));
-    shared.threads = std::max(1, threads / shared.runs);
-    return shared;
-  }
-
   fs::path folder_of_replicate(const fs::path &folder, const long run)
   {
     return folder / "runs" / fmt::format("{:06}", run + 1);

@@ -33,13 +33,6 @@ namespace apps
   /** "Specimen/Mix/Seed=3": the changes that make of a scene its run of that number, from 0. */
   std::vector<std::string> changes_of_replicate(const std::vector<SceneSeed> &seeds, long run);
 
-  /** How many runs go on at a time, and how many threads each has. */
-  struct SharedThreads
-  {
-    int runs = 1, threads = 1;
-  };
-  SharedThreads shared_threads(int threads, std::int64_t replicates);
-
   /**
    * The runs of a scene with `Replicates` in processes of their own, below FOLDER/runs. What the folder holds of the same scene is not
    * repeated, however many replicates there were; interrupted runs go on from their checkpoints.
