@@ -5,10 +5,10 @@
 #include "apps/process/interrupt.h"
 #include "apps/process/progress.h"
 #include "apps/scene/kinds/read_scene.h"
+#include "apps/scene/kinds/seeds.h"
 #include "apps/scene/reader.h"
 #include "apps/studies/calibration_runs.h"
 #include "apps/studies/child_runs.h"
-#include "apps/studies/replicates.h"
 #include "apps/studies/run_study.h"
 #include "base/errors.h"
 
