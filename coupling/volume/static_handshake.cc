@@ -56,13 +56,19 @@ namespace coupling
       }
     find_shared_links();
     add_body();
-    std::vector<dem::Tie> ties;
+    std::vector<dem::Tie> ties, smooth;
+    const auto            add = [](std::vector<dem::Tie> &to, const std::vector<dem::Tie> &some) {
+      to.insert(to.end(), some.begin(), some.end());
+    };
     for (std::size_t h = 0; h < handshakes.size(); ++h)
-      for (const dem::Tie &tie : handshakes[h].method == VolumeMethod::multipliers ?
-                                   kept_together(handshakes[h], in_overlap[h], entries[h]) :
-                                   constrained(in_overlap[h], entries[h]))
-        ties.push_back(tie);
-    loaded.ties = std::make_shared<dem::Ties>(ties, loaded.held, dem::mean_arm(loaded.network));
+      {
+        const std::vector<dem::Tie> led = constrained(in_overlap[h], entries[h]);
+        add(ties, handshakes[h].method == VolumeMethod::multipliers ?
+                    kept_together(handshakes[h], in_overlap[h], entries[h]) :
+                    led);
+        add(smooth, led);
+      }
+    loaded.ties = std::make_shared<dem::Ties>(ties, loaded.held, dem::mean_arm(loaded.network), smooth);
   }
 
   template <int dim>

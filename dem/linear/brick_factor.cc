@@ -22,9 +22,13 @@ namespace dem
     }
   } // namespace
 
-  BrickFactor::BrickFactor(const RowParticles &rows, const LinkEnds &links, const RowShare &shared)
+  BrickFactor::BrickFactor(const RowParticles      &rows,
+                           const LinkEnds          &links,
+                           const RowShare          &shared,
+                           const BrickBorder *const beside)
     : share(shared)
-    , rigid(rows, links, shared)
+    , border(beside)
+    , rigid(rows, links, shared, beside)
   {
     const auto first = static_cast<int>(share.own().first), end = static_cast<int>(share.own().end);
     std::vector<std::vector<std::size_t>> inside(
@@ -61,8 +65,10 @@ namespace dem
     return share.everywhere(all) && rigid.compute(matrix, diagonal);
   }
 
-  void BrickFactor::apply(const double *const r, float *const z)
+  void BrickFactor::apply(const double *const r, float *const z, const Eigen::VectorXd &s, Eigen::VectorXd &y)
   {
+    if (border)
+      y = border->answer(s);
     const auto bricks = static_cast<std::int64_t>(factor.size());
 #pragma omp parallel for schedule(static)
     for (std::int64_t brick = 0; brick < bricks; ++brick)
@@ -70,6 +76,6 @@ namespace dem
         const std::int64_t at = brick * rows_of_brick * motions;
         factor[static_cast<std::size_t>(brick)].apply<1>({r + at}, {z + at});
       }
-    rigid.add_answer(r, z);
+    rigid.add_answer(r, z, s, y);
   }
 } // namespace dem

@@ -35,7 +35,7 @@ namespace dem
     , bricks((share.own().end - share.own().first + static_cast<std::int64_t>(particles_per_brick) - 1) /
              static_cast<std::int64_t>(particles_per_brick))
     , w(static_cast<std::size_t>(bricks * brick_size), 0.0)
-    , z(number * motions, 0.0)
+    , z{base::Column(number * motions, 0.0), {}}
   {
   }
 
@@ -57,6 +57,11 @@ namespace dem
     Eigen::VectorXd total = Eigen::VectorXd::Zero(vectors + 1);
     for (std::size_t brick = 0; brick < all; ++brick)
       total += Eigen::Map<const Eigen::VectorXd>(&sums[brick * numbers], vectors + 1);
+    if (border_w.size() == 0)
+      return total;
+    for (int j = 0; j < vectors; ++j)
+      total[j] += border_basis[static_cast<std::size_t>(j)].dot(border_w);
+    total[vectors] += border_w.squaredNorm();
     return total;
   }
 
@@ -69,6 +74,8 @@ namespace dem
       for (Eigen::Index j = 0; j < parts.size(); ++j)
         subtract(parts[j], basis[static_cast<std::size_t>(j)].data() + brick * brick_size,
                  w.data() + brick * brick_size);
+    for (Eigen::Index j = 0; j < parts.size() && border_w.size() > 0; ++j)
+      border_w -= parts[j] * border_basis[static_cast<std::size_t>(j)];
   }
 
   /** @return norm of what is left of w, which then is the next of the basis */
@@ -92,47 +99,70 @@ namespace dem
     return norm;
   }
 
-  /** w = b - A x. @return its norm */
-  double BrickResiduals::residual(const BlockMatrix &matrix, const base::Column &b, base::Column &x)
+  /** w = A x. */
+  void BrickResiduals::multiply(const BrickSystem &system, BrickVector &x)
   {
-    share.receive(x);
-    const auto first = share.own().first, end = share.own().end;
-    matrix.multiply(x.data(), static_cast<int>(first), static_cast<int>(end), w.data());
-    const std::int64_t numbers = (end - first) * motions;
+    share.receive(x.rows);
+    system.matrix.multiply(x.rows.data(), static_cast<int>(share.own().first), static_cast<int>(share.own().end),
+                           w.data());
+    if (system.border)
+      system.border->multiply(x.rows, x.border, w.data(), border_w);
+  }
+
+  /** w = b - A x. @return its norm */
+  double BrickResiduals::residual(const BrickSystem &system, const BrickVector &b, BrickVector &x)
+  {
+    multiply(system, x);
+    const auto         first   = share.own().first;
+    const std::int64_t numbers = (share.own().end - first) * motions;
 #pragma omp parallel for schedule(static)
     for (std::int64_t i = 0; i < numbers; ++i)
-      w[i] = b[first * motions + i] - w[i];
+      w[i] = b.rows[first * motions + i] - w[i];
+    if (system.border)
+      border_w = b.border - border_w;
     return norm_of_w();
   }
 
-  /** From w, whose norm is given. @return directions found */
-  int BrickResiduals::run(
-    const BlockMatrix &matrix, BrickFactor &factor, const double enough, const int most, const double norm)
+  /** Make w, over its length, one of the basis. */
+  void BrickResiduals::keep_w(const int place, const double length)
   {
-    const auto         first = share.own().first, end = share.own().end;
-    const std::int64_t numbers = (end - first) * motions, size = bricks * brick_size;
-    const auto         keep_w = [&](const int place, const double length) {
-      if (static_cast<int>(basis.size()) <= place)
+    const std::int64_t size = bricks * brick_size;
+    const auto         at   = static_cast<std::size_t>(place);
+    if (basis.size() <= at)
+      {
         basis.emplace_back(w.size());
-      double *const to = basis[static_cast<std::size_t>(place)].data();
+        border_basis.emplace_back();
+      }
+    double *const to = basis[at].data();
 #pragma omp parallel for schedule(static)
-      for (std::int64_t i = 0; i < size; ++i)
-        to[i] = length > 0 ? w[i] / length : 0.0;
-    };
+    for (std::int64_t i = 0; i < size; ++i)
+      to[i] = length > 0 ? w[i] / length : 0.0;
+    border_basis[at] = length > 0 ? Eigen::VectorXd(border_w / length) : Eigen::VectorXd::Zero(border_w.size());
+  }
+
+  /** From w, whose norm is given. @return directions found */
+  int BrickResiduals::run(const BrickSystem &system, const double enough, const int most, const double norm)
+  {
+    const auto         first   = share.own().first;
+    const std::int64_t numbers = (share.own().end - first) * motions;
     projected.begin(most, norm);
     keep_w(0, norm);
     for (int k = 0; k < most; ++k)
       {
-        if (static_cast<int>(found.size()) <= k)
-          found.emplace_back(static_cast<std::size_t>(numbers));
-        float *const made = found[static_cast<std::size_t>(k)].data();
-        factor.apply(basis[static_cast<std::size_t>(k)].data(), made);
-        double *const own = z.data() + first * motions;
+        const auto at = static_cast<std::size_t>(k);
+        if (found.size() <= at)
+          {
+            found.emplace_back(static_cast<std::size_t>(numbers));
+            border_found.emplace_back();
+          }
+        float *const made = found[at].data();
+        system.factor.apply(basis[at].data(), made, border_basis[at], z.border);
+        double *const own = z.rows.data() + first * motions;
 #pragma omp parallel for schedule(static)
         for (std::int64_t i = 0; i < numbers; ++i)
           own[i] = static_cast<double>(made[i]);
-        share.receive(z);
-        matrix.multiply(z.data(), static_cast<int>(first), static_cast<int>(end), w.data());
+        border_found[at] = z.border;
+        multiply(system, z);
         const double length = orthogonalise(k);
         if (!(projected.take(k) > enough))
           return k + 1;
@@ -141,7 +171,7 @@ namespace dem
     return most;
   }
 
-  void BrickResiduals::add_to(base::Column &x, const int used) const
+  void BrickResiduals::add_to(BrickVector &x, const int used) const
   {
     const Eigen::VectorXd weight  = projected.weights(used);
     const auto            first   = share.own().first;
@@ -149,39 +179,37 @@ namespace dem
 #pragma omp parallel for schedule(static)
     for (std::int64_t i = 0; i < numbers; ++i)
       for (int j = 0; j < used; ++j)
-        x[first * motions + i] += weight[j] * static_cast<double>(found[static_cast<std::size_t>(j)][i]);
+        x.rows[first * motions + i] += weight[j] * static_cast<double>(found[static_cast<std::size_t>(j)][i]);
+    for (int j = 0; j < used && x.border.size() > 0; ++j)
+      x.border += weight[j] * border_found[static_cast<std::size_t>(j)];
   }
 
-  ResidualLeft BrickResiduals::solve(const BlockMatrix  &matrix,
-                                     BrickFactor        &factor,
-                                     const base::Column &b,
-                                     const double        tolerance,
-                                     const int           most,
-                                     base::Column       &x)
+  ResidualLeft BrickResiduals::solve(
+    const BrickSystem &system, const BrickVector &b, const double tolerance, const int most, BrickVector &x)
   {
-    base::Column nothing(x.size(), 0.0);
-    const double size = residual(matrix, b, nothing);
+    BrickVector  nothing{base::Column(x.rows.size(), 0.0), Eigen::VectorXd::Zero(x.border.size())};
+    const double size = residual(system, b, nothing);
     ResidualLeft report{0, 0};
     if (size == 0)
       {
         x = nothing;
         return report;
       }
-    double left = residual(matrix, b, x);
+    double left = residual(system, b, x);
     if (!(left < size)) // a start that is worse than none
       {
         x    = nothing;
-        left = residual(matrix, b, x);
+        left = residual(system, b, x);
       }
     for (double before = 2 * size; left > tolerance * size && report.iterations < most && left < before;)
       {
         before         = left;
-        const int used = run(matrix, factor, tolerance * size, std::min(restart, most - report.iterations), left);
+        const int used = run(system, tolerance * size, std::min(restart, most - report.iterations), left);
         report.iterations += used;
         add_to(x, used);
-        left = residual(matrix, b, x);
+        left = residual(system, b, x);
       }
-    share.gather(x);
+    share.gather(x.rows);
     report.residual = left / size;
     return report;
   }

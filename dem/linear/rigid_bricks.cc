@@ -31,9 +31,13 @@ namespace dem
     }
   } // namespace
 
-  RigidBricks::RigidBricks(const RowParticles &rows, const LinkEnds &links, const RowShare &shared)
+  RigidBricks::RigidBricks(const RowParticles      &rows,
+                           const LinkEnds          &links,
+                           const RowShare          &shared,
+                           const BrickBorder *const beside)
     : particles(rows)
     , share(shared)
+    , border(beside)
     , middle(static_cast<std::size_t>(number_of_bricks(rows.place.size())), Eigen::Vector3d::Zero())
     , pattern(number_of_bricks(rows.place.size()), joined_bricks(links))
   {
@@ -116,12 +120,54 @@ namespace dem
         }
     for (int i = 0; i < pattern.size(); ++i)
       entries.emplace_back(i, i, kept[i]);
-    UnsymmetricFactor::Sparse matrix(pattern.size(), pattern.size());
+    add_border(entries);
+    UnsymmetricFactor::Sparse matrix(unknowns(), unknowns());
     matrix.setFromTriplets(entries.begin(), entries.end());
     return matrix;
   }
 
-  void RigidBricks::add_answer(const double *const r, float *const z)
+  int RigidBricks::unknowns() const
+  {
+    return pattern.size() + (border ? static_cast<int>(border->number_of_modes()) : 0);
+  }
+
+  UnsymmetricFactor::Sparse RigidBricks::on_bricks(const UnsymmetricFactor::Sparse &on_rows) const
+  {
+    std::vector<Eigen::Triplet<double>> entries;
+    for (std::size_t k = 0; k < border->rows().size(); ++k)
+      {
+        const int   row    = border->rows()[k];
+        const Block of_row = rigid(row);
+        for (int c = 0; c < motions; ++c)
+          for (int m = 0; m < motions; ++m)
+            if (of_row(c, m) != 0)
+              entries.emplace_back(motions * (row / rows_per_brick) + m, static_cast<int>(motions * k) + c,
+                                   of_row(c, m));
+      }
+    UnsymmetricFactor::Sparse of_bricks(pattern.size(), on_rows.rows());
+    of_bricks.setFromTriplets(entries.begin(), entries.end());
+    return of_bricks * on_rows;
+  }
+
+  void RigidBricks::add_border(std::vector<Eigen::Triplet<double>> &entries) const
+  {
+    if (!border)
+      return;
+    using Sparse                     = UnsymmetricFactor::Sparse;
+    const BrickBorder::Blocks beside = border->by_modes();
+    const auto                add    = [&](const Sparse &block, const int row, const int column) {
+      for (Eigen::Index k = 0; k < block.outerSize(); ++k)
+        for (Sparse::InnerIterator entry(block, k); entry; ++entry)
+          entries.emplace_back(row + static_cast<int>(entry.row()), column + static_cast<int>(entry.col()),
+                                                 entry.value());
+    };
+    const int first = pattern.size();
+    add(on_bricks(beside.C), 0, first);
+    add(Sparse(on_bricks(Sparse(beside.D.transpose())).transpose()), first, 0);
+    add(beside.E, first, first);
+  }
+
+  void RigidBricks::add_answer(const double *const r, float *const z, const Eigen::VectorXd &s, Eigen::VectorXd &y)
   {
     const int first = static_cast<int>(share.own().first), end = static_cast<int>(share.own().end);
 #pragma omp parallel for schedule(static)
@@ -134,7 +180,13 @@ namespace dem
         std::copy_n(sum.data(), motions, &forces[static_cast<std::size_t>(motions) * brick]);
       }
     share.gather(forces, rows_per_brick, motions);
-    const Eigen::VectorXd answer = factor.solve(Eigen::Map<const Eigen::VectorXd>(forces.data(), pattern.size()));
+    Eigen::VectorXd right(unknowns());
+    right.head(pattern.size()) = Eigen::Map<const Eigen::VectorXd>(forces.data(), pattern.size());
+    if (border)
+      right.tail(border->number_of_modes()) = border->on_modes(s);
+    const Eigen::VectorXd answer = factor.solve(right);
+    if (border)
+      y += border->of_modes(answer.tail(border->number_of_modes()));
 #pragma omp parallel for schedule(static)
     for (int row = first; row < end; ++row)
       {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "dem/linear/block_matrix.h"
+#include "dem/linear/brick_border.h"
 #include "dem/linear/row_share.h"
 #include "dem/linear/unsymmetric_factor.h"
 
@@ -20,14 +21,14 @@ namespace dem
   };
 
   /**
-   * A matrix of blocks seen by the rigid motions of its bricks: P^T K P, which is small and which every rank factorises by itself, so that all have
-   * the same bits. Held motions take no part.
+   * A matrix of blocks seen by the rigid motions of its bricks, and by the modes of a border: P^T K P, which is small and which every rank
+   * factorises by itself, so that all have the same bits. Held motions take no part.
    */
   class RigidBricks
   {
   public:
-    /** @param links ends as rows, of the whole system @param share must outlive this object */
-    RigidBricks(const RowParticles &rows, const LinkEnds &links, const RowShare &share);
+    /** @param links ends as rows, of the whole system @param share, border must outlive this object @param border null: there is none */
+    RigidBricks(const RowParticles &rows, const LinkEnds &links, const RowShare &share, const BrickBorder *border);
 
     /**
      * @param matrix complete in the share's own rows
@@ -36,19 +37,24 @@ namespace dem
      */
     bool compute(const BlockMatrix &matrix, const Eigen::VectorXd &diagonal);
 
-    /** z += P (P^T K P)^-1 P^T r, of the share's own rows. */
-    void add_answer(const double *r, float *z);
+    /** z += P (P^T K P)^-1 P^T r, of the share's own rows. @param s, y the same of the border */
+    void add_answer(const double *r, float *z, const Eigen::VectorXd &s, Eigen::VectorXd &y);
 
   private:
     static constexpr int rows_per_brick = static_cast<int>(particles_per_brick);
 
     Block rigid(int row) const; ///< motions of a row's particle per rigid motion of its brick
     void  condense(const BlockMatrix &matrix);
+    void  add_border(std::vector<Eigen::Triplet<double>> &entries) const;
+    /** Forces on rigid motions of bricks. @param on_rows forces on the rows to which the border is joined, six each, in columns */
+    UnsymmetricFactor::Sparse on_bricks(const UnsymmetricFactor::Sparse &on_rows) const;
+    int                       unknowns() const;
     /** @param kept added to its diagonal */
     UnsymmetricFactor::Sparse matrix_of_bricks(const Eigen::VectorXd &kept) const;
 
     RowParticles                 particles;
     const RowShare              &share;
+    const BrickBorder           *border;
     std::vector<Eigen::Vector3d> middle; ///< of each brick [m]
     BlockPattern                 pattern;
     std::size_t                  widest = 0; ///< blocks of a row of bricks, at most

@@ -111,6 +111,18 @@ namespace dem
     ranks->gather(column.data(), bytes);
   }
 
+  void
+  RowShare::gather_rows(base::Column &column, const std::vector<std::int32_t> &rows, const std::size_t numbers) const
+  {
+    if (!ranks)
+      return;
+    std::vector<std::size_t> bytes;
+    for (const std::int64_t first : begin)
+      bytes.push_back(static_cast<std::size_t>(std::lower_bound(rows.begin(), rows.end(), first) - rows.begin()) *
+                      numbers * sizeof(double));
+    ranks->gather(column.data(), bytes);
+  }
+
   void RowShare::gather(Fields &x) const { gather(x, 1, field_size); }
 
   void RowShare::gather_sums(base::Column &sums) const { gather(sums, particles_per_sum, load_lanes); }

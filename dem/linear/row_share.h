@@ -40,6 +40,8 @@ namespace dem
     void gather_sums(base::Column &sums) const;
     /** Let all ranks know a column with so many numbers for each group of particles. @param particles of a group, which no boundary divides */
     void gather(base::Column &column, std::int64_t particles, std::size_t numbers) const;
+    /** The same for some particles. @param rows ascending @param numbers of each, in the rows' order */
+    void gather_rows(base::Column &column, const std::vector<std::int32_t> &rows, std::size_t numbers) const;
     /** Whether something is so on all ranks. */
     bool everywhere(bool here) const;
 

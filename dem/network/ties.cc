@@ -108,6 +108,25 @@ namespace dem
       result.setFromTriplets(entries.begin(), entries.end());
       return result;
     }
+    Sparse led_by(const Sparse &rows) { return leading(rows, motions_of_their_own(rows)); }
+
+    /** Columns of leaders that lead others. */
+    Sparse of_many(const Sparse &leaders)
+    {
+      std::vector<Eigen::Triplet<double>> entries;
+      int                                 column = 0;
+      for (Eigen::Index leader = 0; leader < leaders.cols(); ++leader)
+        {
+          if (leaders.col(leader).nonZeros() < 2)
+            continue;
+          for (Sparse::InnerIterator entry(leaders, leader); entry; ++entry)
+            entries.emplace_back(static_cast<int>(entry.row()), column, entry.value());
+          ++column;
+        }
+      Sparse columns(leaders.rows(), column);
+      columns.setFromTriplets(entries.begin(), entries.end());
+      return columns;
+    }
   } // namespace
 
   TieFactor::TieFactor(const Sparse &rows, const Eigen::VectorXd &weights, const std::vector<Eigen::Index> &own)
@@ -157,11 +176,15 @@ namespace dem
     return first - inverse_own.cwiseProduct(others * factor.solve(others.transpose() * first));
   }
 
-  Ties::Ties(const std::vector<Tie> &ties, const std::vector<HeldMotions> &held, const double length)
+  Ties::Ties(const std::vector<Tie>         &ties,
+             const std::vector<HeldMotions> &held,
+             const double                    length,
+             const std::vector<Tie>         &smooth)
     : scale(length)
     , conditions(independent(rows_of(ties, held, length)))
     , own(motions_of_their_own(conditions))
     , leaders(leading(conditions, own))
+    , common(of_many(smooth.empty() ? leaders : led_by(rows_of(smooth, held, length))))
     , factor(conditions, Eigen::VectorXd::Ones(conditions.cols()), own)
   {
   }

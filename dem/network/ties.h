@@ -56,8 +56,12 @@ namespace dem
     /**
      * Conditions that follow from others are left out.
      * @param held of each carrier: motions that are no unknowns, and vanish @param scale length that makes a length of a rotation [m]
+     * @param smooth conditions, of which each has a motion of its own, that only leave motions which keep `ties`; empty: these themselves
      */
-    Ties(const std::vector<Tie> &ties, const std::vector<HeldMotions> &held, double scale);
+    Ties(const std::vector<Tie>         &ties,
+         const std::vector<HeldMotions> &held,
+         double                          scale,
+         const std::vector<Tie>         &smooth = {});
 
     /** A row for each condition that is left, a column for each of the carriers' motions, rotations times the scale. */
     const Eigen::SparseMatrix<double> &rows() const { return conditions; }
@@ -67,6 +71,12 @@ namespace dem
      * own, as those of constrained particles have: then these can be left out of a system altogether. Without columns otherwise.
      */
     const Eigen::SparseMatrix<double> &by_leaders() const { return leaders; }
+
+    /** Whether nothing but unknowns of the motions themselves is needed to keep them. */
+    bool is_led() const { return leaders.cols() > 0 || conditions.rows() == 0; }
+
+    /** Motions of many carriers together that keep the ties, a column each, rotations times the scale: what an iteration should see as a whole. */
+    const Eigen::SparseMatrix<double> &common_motions() const { return common; }
 
     /** Takes from forces and moments what the ties bear. */
     void release(CarrierMotions &forces) const;
@@ -93,7 +103,7 @@ namespace dem
     double                      scale;
     Eigen::SparseMatrix<double> conditions;
     std::vector<Eigen::Index>   own; ///< of each condition the motion that no other knows; empty: not each has one
-    Eigen::SparseMatrix<double> leaders;
+    Eigen::SparseMatrix<double> leaders, common;
     TieFactor                   factor; ///< of the conditions times their transpose
   };
 } // namespace dem

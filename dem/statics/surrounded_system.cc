@@ -36,18 +36,18 @@ namespace dem
 
   void SurroundedSystem::add_leaders(const Sparse &by_leaders, const std::vector<int> &unknown)
   {
+    led = true;
     std::vector<Eigen::Triplet<double>> entries;
-    int                                 leading = 0;
     for (Eigen::Index column = 0; column < by_leaders.cols(); ++column)
       {
         if (by_leaders.col(column).nonZeros() == 0 || unknown[static_cast<std::size_t>(column)] < 0)
           continue;
         for (Sparse::InnerIterator entry(by_leaders, column); entry; ++entry)
           if (const int driven = unknown[static_cast<std::size_t>(entry.row())]; driven >= 0)
-            entries.emplace_back(driven, leading, entry.value());
-        ++leading;
+            entries.emplace_back(driven, static_cast<int>(leading.size()), entry.value());
+        leading.push_back(unknown[static_cast<std::size_t>(column)]);
       }
-    leaders.resize(count, leading);
+    leaders.resize(count, static_cast<Eigen::Index>(leading.size()));
     leaders.setFromTriplets(entries.begin(), entries.end());
   }
 
@@ -82,14 +82,45 @@ namespace dem
         extended.conservativeResize(around.rows(), around.cols());
         sum = extended + around;
       }
-    if (leaders.cols() > 0)
+    if (led)
       sum = Sparse(leaders.transpose() * Sparse(sum * leaders));
     return sum;
   }
 
+  std::size_t SurroundedSystem::multipliers(const LoadedNetwork &loaded)
+  {
+    return loaded.ties && !loaded.ties->is_led() ? static_cast<std::size_t>(loaded.ties->rows().rows()) : 0;
+  }
+
+  SurroundedSystem::Sparse SurroundedSystem::by_unknowns() const
+  {
+    if (led)
+      return leaders;
+    Sparse extended(count, count + borne);
+    extended.reserve(Eigen::VectorXi::Constant(count + borne, 1));
+    for (int i = 0; i < count; ++i)
+      extended.insert(i, i) = 1;
+    return extended;
+  }
+
+  SurroundedSystem::Sparse SurroundedSystem::unknowns_of(const Sparse &of_links) const
+  {
+    if (!led)
+      {
+        Sparse extended = of_links;
+        extended.conservativeResize(count + borne, of_links.cols());
+        return extended;
+      }
+    Sparse picked(leaders.cols(), count);
+    picked.reserve(Eigen::VectorXi::Constant(count, 1));
+    for (std::size_t k = 0; k < leading.size(); ++k)
+      picked.insert(static_cast<Eigen::Index>(k), leading[k]) = 1;
+    return picked * of_links;
+  }
+
   Eigen::MatrixXd SurroundedSystem::forces(const Eigen::MatrixXd &on_unknowns) const
   {
-    if (leaders.cols() > 0)
+    if (led)
       return leaders.transpose() * on_unknowns;
     Eigen::MatrixXd extended = Eigen::MatrixXd::Zero(count + borne, on_unknowns.cols());
     extended.topRows(count)  = on_unknowns;
@@ -98,7 +129,7 @@ namespace dem
 
   Eigen::MatrixXd SurroundedSystem::motions_of(const Eigen::MatrixXd &solution) const
   {
-    if (leaders.cols() > 0)
+    if (led)
       return leaders * solution;
     return solution.topRows(count);
   }

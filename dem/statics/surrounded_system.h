@@ -33,14 +33,22 @@ namespace dem
 
     /** Whether its diagonal has zeros. */
     bool has_multipliers() const { return borne > 0; }
+    /** Multipliers that the system of a network has. */
+    static std::size_t multipliers(const LoadedNetwork &loaded);
+
+    /** Motions by the unknowns of the whole system: motions_of() as a matrix; its transpose is forces(). */
+    Sparse by_unknowns() const;
+    /** The whole system's unknowns of motions that keep the ties, multipliers zero. @param of_links motions, a column each */
+    Sparse unknowns_of(const Sparse &of_links) const;
 
   private:
     void add_body(const LoadedNetwork &loaded, const std::vector<int> &unknown);
     void add_leaders(const Sparse &by_leaders, const std::vector<int> &unknown);
     void add_multipliers(const Sparse &ties, const std::vector<int> &unknown, double size);
 
-    int    count, borne = 0; ///< unknowns of the links' system, multipliers
-    bool   surrounded;
-    Sparse around, leaders, sum; ///< body and ties; motions by the independent ones; with the links
+    int              count, borne = 0;        ///< unknowns of the links' system, multipliers
+    std::vector<int> leading;                 ///< of each column of the leaders its unknown
+    bool             surrounded, led = false; ///< whether some motions are left out
+    Sparse           around, leaders, sum;    ///< body and ties; motions by the independent ones; with the links
   };
 } // namespace dem

@@ -37,8 +37,8 @@ namespace dem
       for (int p = 0; p < 6; ++p)
         if (loaded.network.dimension == 3 || p < 2 || p == 5)
           all.push_back(p);
-      starts =
-        Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(unknown.size()), static_cast<Eigen::Index>(moving.size()));
+      starts = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(unknown.size() + SurroundedSystem::multipliers(loaded)),
+                                     static_cast<Eigen::Index>(moving.size()));
     }
 
     /** For factors, when first needed. */
@@ -314,7 +314,7 @@ namespace dem
     Eigen::MatrixXd             undamaged_answers;    ///< to the moving parameters
 
     std::optional<SharedTangent> shared; ///< once it has iterated
-    Eigen::MatrixXd              starts; ///< for the moving parameters: motions of the last iteration
+    Eigen::MatrixXd              starts; ///< for the moving parameters: motions of the last iteration, and multipliers
   };
 
   namespace
@@ -322,14 +322,10 @@ namespace dem
     bool is_iterated(const LoadedNetwork &loaded, const TangentSolver &solver)
     {
       // Below, a factor takes little; in the plane it always does.
-      constexpr std::size_t many      = 30000;
-      const bool            networked = !loaded.body && !loaded.ties;
-      if (solver.method == SolverMethod::iterative && !networked)
-        throw base::InputError(
-          "quasi-static loading: the iterative solver knows neither ties nor a solid. Choose the direct one.");
+      constexpr std::size_t many = 30000;
       if (solver.method != SolverMethod::automatic)
         return solver.method == SolverMethod::iterative;
-      return networked && (solver.ranks || (loaded.network.dimension == 3 && motions * loaded.held.size() >= many));
+      return solver.ranks || (loaded.network.dimension == 3 && motions * loaded.held.size() >= many);
     }
   } // namespace
 

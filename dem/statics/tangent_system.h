@@ -15,7 +15,7 @@ namespace dem
   /** How the linear systems of a path are solved. */
   struct TangentSolver
   {
-    /** Automatic: iterative where ranks share the work, or in space from 30 000 unknowns on, if neither body nor ties are there. */
+    /** Automatic: iterative where ranks share the work, or in space from 30 000 unknowns on. */
     SolverMethod method = SolverMethod::direct;
     Ranks       *ranks  = nullptr; ///< that share an iteration, all of them solving the same; none: this process alone
     double       negligible = 0;   ///< Unbalanced::residual that an iteration may leave
@@ -31,7 +31,7 @@ namespace dem
   class TangentSystem
   {
   public:
-    /** @param loaded must outlive this object @throws base::InputError for an iteration where there are a body or ties */
+    /** @param loaded must outlive this object */
     explicit TangentSystem(const LoadedNetwork &loaded, const TangentSolver &solver = {});
     ~TangentSystem();
 

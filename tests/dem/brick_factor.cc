@@ -119,7 +119,8 @@ TEST_CASE("brick factor: it answers with each brick by itself and with their rig
   std::vector<float>    answer(chain.right.size());
   const Eigen::VectorXd right = Eigen::Map<const Eigen::VectorXd>(chain.right.data(), dem::motions * rows);
   REQUIRE(factor.compute(chain.matrix, chain.diagonal));
-  factor.apply(chain.right.data(), answer.data());
+  Eigen::VectorXd none;
+  factor.apply(chain.right.data(), answer.data(), none, none);
   const Eigen::MatrixXd P     = chain.rigid_motions();
   const Eigen::MatrixXd small = P.transpose() * (chain.whole(false) * P);
   const Eigen::VectorXd exact =
@@ -138,11 +139,11 @@ TEST_CASE("minimal residuals by bricks: the solution is that of a factor, with t
     dem::RowShare       share(rows, chain.links, dem::motions, ranks);
     dem::BrickFactor    factor(chain.particles, chain.links, share);
     dem::BrickResiduals iteration(share, rows);
-    base::Column        x(chain.right.size(), 0.0);
+    dem::BrickVector    x{base::Column(chain.right.size(), 0.0), {}};
     factor.compute(chain.matrix, chain.diagonal);
-    if (!(iteration.solve(chain.matrix, factor, chain.right, 1e-12, 200, x).residual <= 1e-12))
-      x.clear();
-    return x;
+    if (!(iteration.solve({chain.matrix, factor}, {chain.right, {}}, 1e-12, 200, x).residual <= 1e-12))
+      x.rows.clear();
+    return x.rows;
   };
   const base::Column alone = solution(nullptr);
   REQUIRE(alone.size() == chain.right.size());
@@ -154,6 +155,129 @@ TEST_CASE("minimal residuals by bricks: the solution is that of a factor, with t
         const base::Column x = solution(team.get());
         same[team->rank()] =
           x.size() == alone.size() && std::memcmp(x.data(), alone.data(), x.size() * sizeof(double)) == 0;
+      });
+      INFO(ranks << " ranks");
+      CHECK(std::count(same.begin(), same.end(), 1) == static_cast<std::ptrdiff_t>(ranks));
+    }
+}
+
+namespace
+{
+  /** Unknowns beside a chain, of which three rows of different bricks feel something. */
+  struct Beside
+  {
+    static constexpr int            size = 7;
+    const std::vector<std::int32_t> rows{3, 300, 599};
+    dem::BrickBorder::Blocks        blocks;
+    Sparse                          modes{size, 2};
+    Eigen::VectorXd                 right;
+
+    Beside()
+    {
+      std::mt19937                           draw(5);
+      std::uniform_real_distribution<double> number(-1, 1);
+      const auto                             some = [&](const Eigen::Index n, const Eigen::Index m) {
+        return Eigen::MatrixXd::NullaryExpr(n, m, [&] { return number(draw); }).eval();
+      };
+      const auto      joined = static_cast<Eigen::Index>(dem::motions * rows.size());
+      Eigen::MatrixXd C = some(joined, size), D = some(size, joined);
+      for (std::size_t k = 0; k < rows.size(); ++k)
+        for (int c = 0; c < dem::motions; ++c)
+          if (const auto at = static_cast<Eigen::Index>(dem::motions * k) + c; rows[k] % 50 == 7 && (0x2d >> c & 1))
+            C.row(at).setZero(), D.col(at).setZero();
+      blocks = {C.sparseView(), D.sparseView(),
+                (some(size, size) + 8 * Eigen::MatrixXd::Identity(size, size)).sparseView()};
+      modes  = some(size, 2).sparseView();
+      right  = some(size, 1);
+    }
+
+    /** With the rows of a chain. */
+    Sparse whole(const Sparse &chain) const
+    {
+      std::vector<Eigen::Triplet<double>> entries;
+      const auto                          n   = static_cast<int>(chain.rows());
+      const auto                          add = [&](const Sparse &block, const auto &row, const auto &column) {
+        for (Eigen::Index k = 0; k < block.outerSize(); ++k)
+          for (Sparse::InnerIterator e(block, k); e; ++e)
+            entries.emplace_back(row(static_cast<int>(e.row())), column(static_cast<int>(e.col())), e.value());
+      };
+      const auto as_it_is = [](const int i) { return i; };
+      const auto behind   = [n](const int i) { return n + i; };
+      const auto at_rows  = [this](const int i) { return dem::motions * rows[i / dem::motions] + i % dem::motions; };
+      add(chain, as_it_is, as_it_is);
+      add(blocks.C, at_rows, behind);
+      add(blocks.D, behind, at_rows);
+      add(blocks.E, behind, behind);
+      Sparse all(n + size, n + size);
+      all.setFromTriplets(entries.begin(), entries.end());
+      return all;
+    }
+  };
+} // namespace
+
+TEST_CASE("brick factor: a border answers by a factor of its own, and with its modes where bricks move rigidly",
+          "[dem][statics][ranks]")
+{
+  const Chain      chain;
+  const Beside     beside;
+  dem::RowShare    share(rows, chain.links, dem::motions, nullptr);
+  dem::BrickBorder border(beside.rows, beside.modes, share);
+  border.set(beside.blocks);
+  REQUIRE(border.factorize(beside.blocks.E, false));
+  dem::BrickFactor   factor(chain.particles, chain.links, share, &border);
+  std::vector<float> answer(chain.right.size());
+  Eigen::VectorXd    of_border;
+  REQUIRE(factor.compute(chain.matrix, chain.diagonal));
+  factor.apply(chain.right.data(), answer.data(), beside.right, of_border);
+
+  const int       n = dem::motions * rows;
+  Eigen::VectorXd right(n + Beside::size), alone(right.size());
+  right << Eigen::Map<const Eigen::VectorXd>(chain.right.data(), n), beside.right;
+  alone << solve(chain.whole(true), right.head(n)), solve(beside.blocks.E, beside.right);
+  Eigen::MatrixXd P                                      = Eigen::MatrixXd::Zero(right.size(), 3 * dem::motions + 2);
+  P.topLeftCorner(n, 3 * dem::motions)                   = chain.rigid_motions();
+  P.bottomRightCorner(static_cast<int>(Beside::size), 2) = beside.modes;
+  const Eigen::MatrixXd small                            = P.transpose() * (beside.whole(chain.whole(false)) * P);
+  const Eigen::VectorXd exact = alone + P * small.partialPivLu().solve(Eigen::VectorXd(P.transpose() * right));
+  const Eigen::VectorXd found = Eigen::Map<const Eigen::VectorXf>(answer.data(), n).cast<double>();
+  CHECK((found - exact.head(n)).norm() < 1e-5 * exact.norm());
+  CHECK((of_border - exact.tail(static_cast<int>(Beside::size))).norm() < 1e-7 * exact.norm());
+}
+
+TEST_CASE("minimal residuals by bricks: with a border the solution is that of a factor, with the same bits on any "
+          "number of ranks",
+          "[dem][statics][ranks]")
+{
+  const Chain     chain;
+  const Beside    beside;
+  const int       n = dem::motions * rows;
+  Eigen::VectorXd right(n + Beside::size);
+  right << Eigen::Map<const Eigen::VectorXd>(chain.right.data(), n), beside.right;
+  const Eigen::VectorXd exact    = solve(beside.whole(chain.whole(false)), right);
+  const auto            solution = [&](dem::Ranks *const ranks) {
+    dem::RowShare    share(rows, chain.links, dem::motions, ranks);
+    dem::BrickBorder border(beside.rows, beside.modes, share);
+    border.set(beside.blocks);
+    border.factorize(beside.blocks.E, false);
+    dem::BrickFactor    factor(chain.particles, chain.links, share, &border);
+    dem::BrickResiduals iteration(share, rows);
+    dem::BrickVector    x{base::Column(chain.right.size(), 0.0), Eigen::VectorXd::Zero(Beside::size)};
+    factor.compute(chain.matrix, chain.diagonal);
+    const double left =
+      iteration.solve({chain.matrix, factor, &border}, {chain.right, beside.right}, 1e-12, 200, x).residual;
+    Eigen::VectorXd all(right.size());
+    all << Eigen::Map<const Eigen::VectorXd>(x.rows.data(), n), x.border;
+    return left <= 1e-12 ? all : Eigen::VectorXd();
+  };
+  const Eigen::VectorXd alone = solution(nullptr);
+  REQUIRE(alone.size() == exact.size());
+  CHECK((alone - exact).norm() < 1e-10 * exact.norm());
+  for (const std::size_t ranks : {1, 2, 3, 5})
+    {
+      std::vector<char> same(ranks, 0);
+      rank_threads::run(ranks, [&](const std::shared_ptr<dem::Ranks> &team) {
+        const Eigen::VectorXd x = solution(team.get());
+        same[team->rank()]      = x.size() == alone.size() && x == alone;
       });
       INFO(ranks << " ranks");
       CHECK(std::count(same.begin(), same.end(), 1) == static_cast<std::ptrdiff_t>(ranks));

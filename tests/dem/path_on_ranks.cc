@@ -38,6 +38,19 @@ namespace
     return dem::load_grips(network_of(packing, 1.5, law), grips);
   }
 
+  /** Grips that hold their particles sideways and turn about their middles. */
+  dem::LoadedNetwork turning_box_of(const std::size_t count)
+  {
+    dem::Packing packing = spheres(count);
+    packing.periodic_cell.reset();
+    dem::GripPair grips;
+    grips.lateral_blocked     = true;
+    grips.layers              = cluster_grips(packing, 2, 2.5e-3);
+    dem::LoadedNetwork loaded = dem::load_grips(network_of(packing, 1.5, law), grips);
+    dem::let_grips_turn(loaded, grips);
+    return loaded;
+  }
+
   dem::QuasiStaticParameters pulled(const double end_strain, const dem::SolverMethod method)
   {
     dem::QuasiStaticParameters p = steps(end_strain);
@@ -171,9 +184,11 @@ TEST_CASE("an iterated path of tension has the forces and the breaks of one by f
 TEST_CASE("an iterated path goes from each point of one by factors to the next one", "[dem][statics][ranks][slow]")
 {
   omp_set_num_threads(1);
-  const bool               cell   = GENERATE(false, true);
-  const dem::LoadedNetwork loaded = cell ? cell_of(150) : box_of(300);
-  dem::QuasiStaticPath     factors(loaded, law, pulled(3e-4, dem::SolverMethod::direct)),
+  const std::string        what   = GENERATE("cell", "box", "box between grips that turn");
+  const bool               cell   = what == "cell";
+  const dem::LoadedNetwork loaded = cell ? cell_of(150) : what == "box" ? box_of(300) : turning_box_of(300);
+  INFO(what);
+  dem::QuasiStaticPath factors(loaded, law, pulled(3e-4, dem::SolverMethod::direct)),
     iterated(loaded, law, pulled(3e-4, dem::SolverMethod::iterative));
   std::vector<double> differences;
   std::size_t         relaxed = 0;
@@ -225,6 +240,7 @@ TEST_CASE("an iterated path on ranks: every point has the bits of one", "[dem][s
   const dem::QuasiStaticParameters p = shortly_pulled();
   SECTION("a specimen between grips that leave its particles free sideways") { same_on_ranks(box_of(600), p); }
   SECTION("between rough grips") { same_on_ranks(box_of(600, true), p); }
+  SECTION("between grips that turn") { same_on_ranks(turning_box_of(600), p); }
   SECTION("a cell, all its strains moving") { same_on_ranks(cell_of(600), p); }
 }
 
@@ -280,18 +296,4 @@ TEST_CASE("an iterated path of particles that nothing holds, and of more ranks t
         loaded.load_slip.erase(loaded.load_slip.begin() + static_cast<std::ptrdiff_t>(l));
       }
   same_on_ranks(loaded, shortly_pulled());
-}
-
-TEST_CASE("an iteration refuses ties, and the automatic solver takes a factor for them", "[dem][statics][ranks][S14]")
-{
-  dem::Packing packing = spheres(64);
-  packing.periodic_cell.reset();
-  dem::GripPair grips;
-  grips.lateral_blocked     = true;
-  grips.layers              = cluster_grips(packing, 2, 2.5e-3);
-  dem::LoadedNetwork loaded = dem::load_grips(network_of(packing, 1.5, law), grips);
-  dem::let_grips_turn(loaded, grips);
-  CHECK_THROWS_WITH(dem::QuasiStaticPath(loaded, law, pulled(1e-4, dem::SolverMethod::iterative)),
-                    Catch::Contains("ties nor a solid. Choose the direct one"));
-  CHECK_FALSE(dem::TangentSystem(loaded, {dem::SolverMethod::automatic}).iterates());
 }
