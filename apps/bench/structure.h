@@ -13,7 +13,8 @@ namespace apps
                 scene = "apps/scenes/bending_with_core.prm"; ///< all of particles; with a core of them
     std::vector<std::string> overrides;                      ///< of both scenes
     std::filesystem::path    folder;
-    bool                     quick = false; ///< one method only
+    bool                     quick   = false; ///< one method only; of solvers the largest particles
+    bool                     solvers = false; ///< these instead (structure_solvers.h)
   };
 
   /**

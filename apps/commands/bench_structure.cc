@@ -1,4 +1,5 @@
 #include "apps/bench/structure.h"
+#include "apps/bench/structure_solvers.h"
 #include "apps/commands/bench_command.h"
 
 namespace apps
@@ -13,7 +14,11 @@ namespace apps
     command.threads(1);
     command.no_cache();
     command.folder();
-    command.flag("--quick", &StructureBench::quick, "One method only");
-    command.runs(chosen, run_structure_bench);
+    command.flag("--quick", &StructureBench::quick, "One method only; of solvers the largest particles");
+    command.flag("--solvers", &StructureBench::solvers,
+                 "Instead: factors against iteration, for smaller and smaller particles of the core");
+    command.runs(chosen, [](const StructureBench &what) {
+      return what.solvers ? run_structure_solvers(what) : run_structure_bench(what);
+    });
   }
 } // namespace apps

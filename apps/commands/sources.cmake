@@ -26,6 +26,7 @@ set(apps_commands_sources
   bench/size_effect_report.cc
   bench/size_effect_universal.cc
   bench/structure.cc
+  bench/structure_solvers.cc
   bench/surface.cc
   bench/uniaxial.cc
   bench/uniaxial_cases.cc

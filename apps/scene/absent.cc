@@ -18,8 +18,8 @@ namespace apps
     {
       static const std::vector<Absent> all = {
         {{"MPI", "mpirun"},
-         "Scenes of kind cell, continuum, coupled, homogenisation, particles, quasi_static and uniaxial, and \"breccia "
-         "homogenise\", "
+         "Scenes of kind cell, continuum, coupled, homogenisation, particles, quasi_static, structure and uniaxial, "
+         "and \"breccia homogenise\", "
          "share their work among the processes of mpirun (doc/tutorials/many_ranks.md); others run on the threads of "
          "one machine (--threads)."},
         {{"Python", "pybind", "bindings"},

@@ -427,3 +427,19 @@ TEST_CASE(
   CHECK(errors["in motion"][1] < 0.05);
   CHECK(std::filesystem::file_size(folder / "bench/multiscale.png") > 0);
 }
+
+TEST_CASE("bench structure: a factor and an iteration find the same forces of a beam with a core", "[apps][slow]")
+{
+  const ScratchFolder folder;
+  const std::string   scenes  = places::sources() + "/apps/scenes/";
+  const Outcome       outcome = run(folder.path(), {"bench", "structure", scenes + "bending_of_particles.prm",
+                                                    scenes + "bending_with_core.prm", "--solvers", "--quick", "-o", "bench"});
+  INFO(outcome.err);
+  REQUIRE(outcome.status == 0);
+  auto rows = table(folder / "bench/structure_solvers.csv");
+  REQUIRE(rows.size() == 1);
+  CHECK(*apps::number_in(rows.front()["particles"]) == 415);
+  CHECK(*apps::number_in(rows.front()["points"]) > 4);
+  CHECK(*apps::number_in(rows.front()["forces differ by"]) < 1e-5);
+  CHECK(std::filesystem::file_size(folder / "bench/structure_solvers.png") > 0);
+}

@@ -35,6 +35,14 @@ namespace
     return run_of("bending_of_particles.prm", all);
   }
 
+  /** A notched beam of elements with particles around the notch, the first of which become particles. */
+  std::string promoted(const std::vector<std::string> &changes = {})
+  {
+    std::vector<std::string> all = {"Path/Linear solver=iterative", "Path/End=7e-6", "Output/Points per snapshot=4"};
+    all.insert(all.end(), changes.begin(), changes.end());
+    return run_of("crack_promoted.prm", all);
+  }
+
   nlohmann::json figures_in(const std::filesystem::path &folder)
   {
     return nlohmann::json::parse(content_of(folder / "summary.json"))["figures"];
@@ -116,6 +124,52 @@ TEST_CASE(
   goes_on_on_others(bent({"Output/Checkpoint interval=0.01"}));
 }
 
+TEST_CASE("Grips that turn have the same results on one rank and on three, by the automatic solver",
+          "[apps][mpi][ranks][slow]")
+{
+  if (places::skipped_without_mpirun())
+    return;
+  const ScratchFolder      folder;
+  std::vector<std::string> changes = {"Loading/Lateral motion blocked=true", "Loading/Grips turn=true"};
+  REQUIRE(shell_in(folder, program_on(0, 1) + pulled(changes) + " -o one") == 0);
+  changes.push_back("Solver/Linear solver=automatic");
+  const int status = shell_in(folder, program_on(3, 1) + pulled(changes) + " -o three");
+  INFO(content_of(folder / "said"));
+  REQUIRE(status == 0);
+  CHECK(differences(folder / "one", folder / "three") == std::vector<std::string>());
+}
+
+TEST_CASE("A beam whose elements become particles has the same results on one rank and on three, whatever the ties",
+          "[apps][mpi][ranks][slow]")
+{
+  if (places::skipped_without_mpirun())
+    return;
+  for (const char *ties :
+       {"Handshakes/core/Ties=coarse", "Handshakes/core/Ties=strict", "Handshakes/core/Method=constrained"})
+    {
+      const ScratchFolder folder;
+      INFO(ties);
+      REQUIRE(shell_in(folder, program_on(0, 1) + promoted({ties}) + " -o one") == 0);
+      const postprocess::CsvTable series = postprocess::read_csv_table(folder / "one/series.csv", false, {"control"});
+      CHECK(series.column("mean_damage").back() > 0);
+      CHECK(series.column("core_promoted").back() > 0);
+      const int status =
+        shell_in(folder, program_on(3, 1) + promoted({ties, "Path/Linear solver=automatic"}) + " -o three");
+      INFO(content_of(folder / "said"));
+      REQUIRE(status == 0);
+      CHECK(differences(folder / "one", folder / "three") == std::vector<std::string>());
+      CHECK(figures_in(folder / "one") == figures_in(folder / "three"));
+    }
+}
+
+TEST_CASE("A beam with elements that was interrupted on three ranks goes on on one, and on five, to the same results",
+          "[apps][mpi][ranks][slow][S13]")
+{
+  if (places::skipped_without_mpirun())
+    return;
+  goes_on_on_others(promoted({"Output/Checkpoint interval=0.01"}));
+}
+
 TEST_CASE("What needs a factor is refused under mpirun in one message", "[apps][mpi][ranks][S14]")
 {
   if (places::skipped_without_mpirun())
@@ -123,31 +177,8 @@ TEST_CASE("What needs a factor is refused under mpirun in one message", "[apps][
   refused_on_ranks(pulled({"Solver/Linear solver=direct"}),
                    "Solver/Linear solver = direct: runs in one process, and mpirun has started 2. Choose automatic or "
                    "iterative, or use --threads.");
-  refused_on_ranks(
-    pulled({"Solver/Linear solver=automatic", "Loading/Lateral motion blocked=true", "Loading/Grips turn=true"}),
-    "Loading/Grips turn = true: they need the direct solver, which runs in one process, and mpirun has started 2.");
   refused_on_ranks(bent({"Path/Linear solver=direct"}),
                    "Path/Linear solver = direct: runs in one process, and mpirun has started 2.");
-  refused_on_ranks(
-    run_of("crack_promoted.prm"),
-    "Handshakes: particles with a solid around them run in one process, and mpirun has started 2. Use --threads.");
-}
-
-TEST_CASE("The iterative solver refuses a solid around particles", "[apps][S14]")
-{
-  const ScratchFolder folder;
-  const Outcome outcome = run(folder.path(), {"check", places::sources() + "/apps/scenes/crack_promoted.prm", "-s",
-                                              "Path/Linear solver=iterative"});
-  CHECK(outcome.status == 2);
-  CHECK_THAT(outcome.err, Contains("Path/Linear solver") && Contains("knows nothing of a solid around particles"));
-}
-
-TEST_CASE("The iterative solver refuses grips that turn", "[apps][S14]")
-{
-  const ScratchFolder folder;
-  const Outcome       outcome = run(folder.path(), {"check", places::sources() + "/apps/scenes/quasi_static.prm", "-s",
-                                                    "Loading/Lateral motion blocked=true", "-s", "Loading/Grips turn=true",
-                                                    "-s", "Solver/Linear solver=iterative"});
-  CHECK(outcome.status == 2);
-  CHECK_THAT(outcome.err, Contains("Solver/Linear solver") && Contains("knows nothing of grips that turn"));
+  refused_on_ranks(run_of("crack_promoted.prm", {"Path/Linear solver=direct"}),
+                   "Path/Linear solver = direct: runs in one process, and mpirun has started 2.");
 }

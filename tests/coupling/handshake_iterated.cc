@@ -95,11 +95,12 @@ namespace
     return p;
   }
 
-  dem::QuasiStaticParameters pulled(const dem::SolverMethod method, dem::Ranks *const ranks = nullptr)
+  dem::QuasiStaticParameters
+  pulled(const dem::SolverMethod method, const double end_strain = 4e-5, dem::Ranks *const ranks = nullptr)
   {
     dem::QuasiStaticParameters p;
     p.strain_step = 5e-6;
-    p.end_strain  = 4e-5;
+    p.end_strain  = end_strain;
     p.solver      = method;
     p.ranks       = ranks;
     return p;
@@ -180,17 +181,18 @@ TEST_CASE("iterated handshake: every number has the bits of one rank", "[couplin
 {
   const std::string name = GENERATE("coarse", "strict", "constrained");
   omp_set_num_threads(1);
-  const Bar    bar(method_of(name));
-  const Course alone = course_of(bar.network(), pulled(dem::SolverMethod::iterative));
+  constexpr double shortly = 1.5e-5; // bonds have damage
+  const Bar        bar(method_of(name));
+  const Course     alone = course_of(bar.network(), pulled(dem::SolverMethod::iterative, shortly));
   INFO(name);
   REQUIRE(alone.points.back().mean_damage > 0);
-  for (const std::size_t ranks : {2, 3, 5})
+  for (const std::size_t ranks : {2, 3})
     {
       std::vector<char> same(ranks, 0);
       rank_threads::run(ranks, [&](const std::shared_ptr<dem::Ranks> &team) {
         omp_set_num_threads(team->rank() == 0 ? 2 : 1);
         same[team->rank()] =
-          same_bits(course_of(bar.network(), pulled(dem::SolverMethod::automatic, team.get())), alone);
+          same_bits(course_of(bar.network(), pulled(dem::SolverMethod::automatic, shortly, team.get())), alone);
       });
       INFO(ranks << " ranks");
       CHECK(std::count(same.begin(), same.end(), 1) == static_cast<std::ptrdiff_t>(ranks));

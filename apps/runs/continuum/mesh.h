@@ -83,5 +83,5 @@ namespace apps
 
   /** @param communicator of the ranks it is spread over @throws base::InputError on a file or measures that give no sound mesh. */
   template <int dim>
-  fem::Mesh<dim> make_mesh(const MeshSection &mesh, MPI_Comm communicator = MPI_COMM_WORLD);
+  fem::Mesh<dim> make_mesh(const MeshSection &mesh, MPI_Comm communicator);
 } // namespace apps

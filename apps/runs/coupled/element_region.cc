@@ -11,8 +11,8 @@ namespace apps
   std::unique_ptr<coupling::MeshElements> elements_of(const MeshSection &mesh, const int dimension)
   {
     if (dimension == 2)
-      return coupling::elements_of(make_mesh<2>(mesh));
-    return coupling::elements_of(make_mesh<3>(mesh));
+      return coupling::elements_of(make_mesh<2>(mesh, MPI_COMM_SELF));
+    return coupling::elements_of(make_mesh<3>(mesh, MPI_COMM_SELF));
   }
 
   coupling::MeshElements::Set elements_of_group(const coupling::MeshElements &mesh, const std::string &group)

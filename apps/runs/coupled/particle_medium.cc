@@ -56,7 +56,7 @@ namespace apps
     std::map<std::string, std::set<std::string>>
     materials_by_group(const MediumSource &source, const ContinuumModel &continuum, const HandshakesSection &handshakes)
     {
-      const fem::Mesh<dim>                              mesh = make_mesh<dim>(continuum.mesh);
+      const fem::Mesh<dim>                              mesh = make_mesh<dim>(continuum.mesh, MPI_COMM_SELF);
       std::map<dealii::types::material_id, std::string> named;
       std::map<std::string, std::set<std::string>>      found;
       for (const auto &[name, number] : mesh.materials)

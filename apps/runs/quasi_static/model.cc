@@ -21,9 +21,6 @@ namespace apps
       grips.check(loading);
     if (!is_cell() && grips_turn && !lateral_blocked)
       loading.refuse("Grips turn", "the specimen would fall over: set Lateral motion blocked = true.");
-    if (linear_solver == dem::SolverMethod::iterative && !is_cell() && grips_turn)
-      root.at("Solver").refuse("Linear solver", "the iterative one knows nothing of grips that turn. Choose automatic "
-                                                "or direct, or set Loading/Grips turn = false.");
     for (const UniaxialLoad load : tests)
       if (const auto way = steps(load); way.end_strain < way.strain_step)
         loading.at(load == UniaxialLoad::tension ? "Tension" : "Compression")

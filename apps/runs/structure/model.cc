@@ -6,14 +6,10 @@
 
 namespace apps
 {
-  void PathSection::check(const base::EntryPath &root, const bool solid) const
+  void PathSection::check(const base::EntryPath &root) const
   {
     if (step > end)
       root.at("Path").refuse("Step", "must not be above End.");
-    if (solid && solver == dem::SolverMethod::iterative)
-      root.at("Path").refuse("Linear solver",
-                             "the iterative one knows nothing of a solid around particles (Handshakes). "
-                             "Choose automatic or direct.");
   }
 
   dem::QuasiStaticParameters PathSection::parameters(dem::Ranks *const ranks) const
@@ -41,7 +37,7 @@ namespace apps
     groups.check(root, dimension, names);
     supports.check(root, dimension, names);
     probes.check(root, dimension, names);
-    path.check(root, has_solid());
+    path.check(root);
     bending_test.check(root);
     wedge_splitting.check(root);
     if (!has_solid())

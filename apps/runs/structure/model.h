@@ -32,8 +32,8 @@ namespace apps
     double            end = 0, step = 0, stop_fraction = 0.2, growth_step = 0.2, tolerance = 1e-7, damping = 0.7;
     dem::SolverMethod solver = dem::SolverMethod::automatic;
 
-    /** @param solid whether there is one around the particles @throws base::InputError */
-    void check(const base::EntryPath &root, bool solid) const;
+    /** @throws base::InputError */
+    void check(const base::EntryPath &root) const;
     /** @param ranks that follow the path together; null: this process alone */
     dem::QuasiStaticParameters parameters(dem::Ranks *ranks) const;
   };
@@ -50,7 +50,7 @@ namespace apps
     GroupsSection             groups;
     ParticleSupportsSection   supports;
     DisplacementProbesSection probes;
-    ContinuumModel            continuum; ///< where there are handshakes
+    ContinuumModel            continuum = ContinuumModel::of_each_rank(); ///< where there are handshakes
     HandshakesSection         handshakes;
     PathSection               path;
     BendingTestSection        bending_test;

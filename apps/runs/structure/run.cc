@@ -179,11 +179,6 @@ namespace apps
   {
     start_mpi();
     refuse_factor_on_ranks(base::EntryPath().at("Path"), model.path.solver);
-    if (rank_count() > 1 && model.has_solid())
-      throw base::InputError(
-        fmt::format("Handshakes: particles with a solid around them run in one process, and mpirun "
-                    "has started {}. Use --threads.",
-                    rank_count()));
     return StructureRun(request, model).execute();
   }
 } // namespace apps

@@ -92,15 +92,15 @@ namespace apps
         return largest;
       }
 
-      std::string write(const std::filesystem::path &folder,
-                        const std::size_t            number,
-                        const double                 time,
-                        const dem::LoadedMotion     &motion) const override
+      void write(const std::filesystem::path &folder,
+                 const std::size_t            number,
+                 const double                 time,
+                 const dem::LoadedMotion     &motion) const override
       {
         State now = state(motion);
         now.internal -= now.external;
         now.internal.update_ghost_values();
-        return write_solid(*solid, now.displacement, now.internal, {folder / "solid", "solid", number, time});
+        write_whole_solid(*solid, now.displacement, now.internal, {folder / "solid", "solid", number, time});
       }
 
       std::vector<std::vector<Eigen::Vector2d>>

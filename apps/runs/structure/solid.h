@@ -43,11 +43,11 @@ namespace apps
     /** Largest difference of a material's stiffness from that of the particles in its place, over its norm. */
     virtual double difference_from(const ParticleMedia &media) const = 0;
 
-    /** @param number of the snapshot. @return name of its file in the folder. @throws postprocess::OutputError */
-    virtual std::string write(const std::filesystem::path &folder,
-                              std::size_t                  number,
-                              double                       time,
-                              const dem::LoadedMotion     &motion) const = 0;
+    /** Whole, by one rank. @param number of the snapshot @throws postprocess::OutputError */
+    virtual void write(const std::filesystem::path &folder,
+                       std::size_t                  number,
+                       double                       time,
+                       const dem::LoadedMotion     &motion) const = 0;
 
     /** Corners of its elements in the plane of a picture, displacements magnified. @param across axis of the picture, found here */
     virtual std::vector<std::vector<Eigen::Vector2d>>
