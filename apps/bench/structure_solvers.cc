@@ -116,7 +116,7 @@ namespace apps
     start_mpi();
     const BenchResults     results(bench.folder, "structure_solvers");
     std::vector<SolverRow> rows;
-    for (const char *radius : {"0.001", "0.0007", "0.0005"})
+    for (const char *radius : {"0.001", "0.0005", "0.0003"})
       {
         rows.push_back({radius, follow(bench, radius, "direct"), follow(bench, radius, "iterative")});
         const SolverRow &row = rows.back();

@@ -244,8 +244,7 @@ TEST_CASE("brick factor: a border answers by a factor of its own, and with its m
   CHECK((of_border - exact.tail(static_cast<int>(Beside::size))).norm() < 1e-7 * exact.norm());
 }
 
-TEST_CASE("minimal residuals by bricks: with a border the solution is that of a factor, with the same bits on any "
-          "number of ranks",
+TEST_CASE("minimal residuals by bricks: with a border too the solution is a factor's, with the same bits on ranks",
           "[dem][statics][ranks]")
 {
   const Chain     chain;

@@ -60,7 +60,7 @@ TEST_CASE("Mix: the part of a mesh that is aggregate tends to that of the mix", 
   const double           expected = mix.placed_in({0.04, 0.04, 0.04}, false).structure.content();
   for (const auto &[divisions, error] : {std::pair{8, 0.08}, std::pair{16, 0.02}, std::pair{32, 0.005}})
     {
-      const auto mesh = apps::make_mesh<3>(block(divisions, mix));
+      const auto mesh = apps::make_mesh<3>(block(divisions, mix), MPI_COMM_SELF);
       CHECK(mesh.materials.size() == 2);
       CHECK_THAT(part_of(mesh, "aggregate"), WithinRel(expected, error));
       CHECK_THAT(part_of(mesh, "aggregate") + part_of(mesh, "mortar"), WithinRel(1.0, 1e-12));
@@ -77,7 +77,7 @@ TEST_CASE("Mix: a plane mesh is a section through concrete", "[library][mesoscal
       mix.seed               = seed;
       apps::MeshSection mesh = block(64, mix);
       mesh.box_size          = {0.08, 0.08, 0};
-      sum += part_of(apps::make_mesh<2>(mesh), "aggregate");
+      sum += part_of(apps::make_mesh<2>(mesh, MPI_COMM_SELF), "aggregate");
     }
   CHECK_THAT(sum / 6, WithinAbs(0.3, 0.015)); // Delesse (1847): area for volume
 }
@@ -98,19 +98,21 @@ TEST_CASE("Mix: one group of a mesh is shared out, the others stay, and what can
     }
   mesh.mix.mix    = round_ones(0.25, 6e-3, 12e-3);
   mesh.mix.group  = "concrete";
-  const auto made = apps::make_mesh<3>(mesh);
+  const auto made = apps::make_mesh<3>(mesh, MPI_COMM_SELF);
   CHECK(made.materials.size() == 3);
   CHECK_THAT(part_of(made, "steel"), WithinRel(0.5, 1e-12));
   CHECK_THAT(part_of(made, "aggregate"), WithinAbs(0.125, 0.01));
 
   mesh.mix.group = "timber";
-  CHECK_THROWS_WITH(apps::make_mesh<3>(mesh), Contains("Mesh/Mix") && Contains("timber") && Contains("steel"));
+  CHECK_THROWS_WITH(apps::make_mesh<3>(mesh, MPI_COMM_SELF),
+                    Contains("Mesh/Mix") && Contains("timber") && Contains("steel"));
   mesh.mix.group      = "concrete";
   mesh.mix.mix.mortar = "steel";
-  CHECK_THROWS_WITH(apps::make_mesh<3>(mesh), Contains("Mesh/Mix") && Contains("steel") && Contains("already"));
+  CHECK_THROWS_WITH(apps::make_mesh<3>(mesh, MPI_COMM_SELF),
+                    Contains("Mesh/Mix") && Contains("steel") && Contains("already"));
   mesh.mix.mix                 = round_ones(0.001, 4e-4, 5e-4);
   mesh.boxes.front().divisions = {2, 2, 2};
-  CHECK_THROWS_WITH(apps::make_mesh<3>(mesh), Contains("no element"));
+  CHECK_THROWS_WITH(apps::make_mesh<3>(mesh, MPI_COMM_SELF), Contains("no element"));
 }
 
 namespace
