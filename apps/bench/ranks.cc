@@ -1,6 +1,7 @@
 #include "apps/bench/ranks.h"
 
-#include "apps/bench/concrete_links.h"
+#include "apps/bench/cube_of_lattice.h"
+#include "apps/bench/ranks_on_paper.h"
 #include "apps/bench/results.h"
 #include "apps/forecasts/duration.h"
 #include "apps/process/exit_status.h"
@@ -9,8 +10,6 @@
 #include "apps/process/mpi_session.h"
 #include "apps/specimens/rank_shares.h"
 #include "base/stopwatch.h"
-#include "dem/laws/cpm.h"
-#include "dem/packing/lattice.h"
 #include "dem/ranks/exact_sum.h"
 #include "dem/specimen/rank_shares.h"
 #include "dem/specimen/specimen.h"
@@ -93,17 +92,6 @@ namespace apps
                  seconds_per_unit(passes(merge)), 0};
       row.off = std::abs(plain - exact.value()) / size;
       return row;
-    }
-
-    dem::Specimen cube_of_lattice(const int cells)
-    {
-      dem::SpecimenParameters parameters;
-      parameters.density           = 4800;
-      parameters.interaction_ratio = 1.1;
-      parameters.damping           = 0.3;
-      dem::Packing packing         = dem::make_lattice(dem::Lattice::face_centred_cubic, 1e-3, {cells, cells, cells});
-      packing.periodic_cell.reset();
-      return dem::Specimen(packing, parameters, dem::CpmMaterials(concrete_links()));
     }
 
     std::string sums_in_words(const std::vector<SumRow> &rows)
@@ -298,6 +286,8 @@ namespace apps
       return run_memory(bench);
     if (rank_count() > 1)
       return run_shared_steps(bench);
+    if (bench.on_paper)
+      return run_ranks_on_paper(bench);
     const BenchResults results(bench.folder, "ranks");
     catch_interrupts();
     const std::vector<SumRow> sums = {time_sums("of 20 exponents", 20), time_sums("of 1000 exponents", 1000)};

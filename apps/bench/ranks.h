@@ -8,8 +8,9 @@ namespace apps
   struct RanksBench
   {
     std::filesystem::path folder;
-    int                   cells = 63;    ///< of the lattice along each edge, four particles in each: 1000188
-    bool                  quick = false; ///< 16 cells along each edge: 16384 particles
+    int                   cells    = 63;    ///< of the lattice along each edge, four particles in each: 1000188
+    bool                  quick    = false; ///< 16 cells along each edge: 16384 particles
+    bool                  on_paper = false; ///< instead: as many particles for each rank, up to 27 (ranks_on_paper.h)
     int                   memory_steps =
       0; ///< take so many steps, shared among the ranks that there are, and say what each takes up; 0: no
   };

@@ -16,6 +16,10 @@ namespace apps
       .option("--memory", &RanksBench::memory_steps, "STEPS",
               "Take so many steps, under mpirun or without, and say what memory each rank takes up")
       .check(CLI::Range(1, 1000000));
+    command.flag(
+      "--on-paper", &RanksBench::on_paper,
+      "Instead: a cube with as many particles for each of up to 27 ranks, 10^8 links and more: efficiency "
+      "by the model, and memory");
     command.flag("--quick", &RanksBench::quick, "16 lattice cells along each edge");
     command.runs(chosen, run_ranks_bench);
   }

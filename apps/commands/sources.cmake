@@ -3,6 +3,7 @@ set(apps_commands_sources
   bench/calibration.cc
   bench/calibration_problems.cc
   bench/confined.cc
+  bench/cube_of_lattice.cc
   bench/homogenise.cc
   bench/laboratory_run.cc
   bench/line_fit.cc
@@ -14,6 +15,7 @@ set(apps_commands_sources
   bench/peridynamics.cc
   bench/quasi_static.cc
   bench/ranks.cc
+  bench/ranks_on_paper.cc
   bench/rate_effect.cc
   bench/results.cc
   bench/scene_variant.cc
