@@ -38,7 +38,6 @@ namespace dem
      */
     BrickBorder(std::vector<std::int32_t> rows, Sparse modes, const RowShare &share);
 
-    Eigen::Index size() const { return modes.rows(); }
     Eigen::Index number_of_modes() const { return modes.cols(); }
 
     void set(Blocks blocks) { now = std::move(blocks); }

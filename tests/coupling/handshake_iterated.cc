@@ -153,6 +153,18 @@ namespace
   }
 } // namespace
 
+TEST_CASE("static handshake: particles that follow joints keep the ties, whatever these are",
+          "[coupling][volume][statics]")
+{
+  const std::string name = GENERATE("coarse", "strict", "constrained");
+  INFO(name);
+  const Bar        bar(method_of(name));
+  const dem::Ties &ties = *bar.network().ties;
+  REQUIRE(ties.common_motions().cols() > 0);
+  CHECK(ties.is_led() == (name != "coarse"));
+  CHECK((ties.rows() * ties.common_motions()).norm() < 1e-13 * ties.common_motions().norm());
+}
+
 TEST_CASE("iterated handshake: from each point of a path by factors it finds the next one, whatever the ties",
           "[coupling][volume][statics][ranks][slow]")
 {
