@@ -47,10 +47,6 @@ namespace apps
         return known * particles + of_link * static_cast<double>(share.owned + share.copied.size()) +
                of_motion * static_cast<double>(share.end_particle - share.first_particle + share.ghosts.size());
       }
-      double bytes_of_whole(const double particles, const double links) const
-      {
-        return (known + of_motion) * particles + of_link * links;
-      }
     };
 
     struct PaperRow
@@ -70,7 +66,10 @@ namespace apps
       const std::vector<dem::RankShare> shares = dem::share_out(static_cast<std::size_t>(row.particles), links, ranks);
       row.all                                  = totals_of(shares);
       row.efficiency                           = dem::parallel_efficiency(shares, costs.update, dem::Network());
-      row.whole_bytes                          = costs.bytes_of_whole(row.particles, static_cast<double>(links.size()));
+      dem::RankShare whole;
+      whole.owned        = links.size();
+      whole.end_particle = static_cast<std::size_t>(row.particles);
+      row.whole_bytes    = costs.bytes(whole, row.particles);
       for (const dem::RankShare &share : shares)
         row.rank_bytes = std::max(row.rank_bytes, costs.bytes(share, row.particles));
       return row;

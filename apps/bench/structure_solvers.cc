@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 
 namespace apps
 {
@@ -52,11 +53,13 @@ namespace apps
       return found;
     }
 
-    /** Of points that both have, over the largest force. */
+    /** Over the largest force; infinite where one has other points. */
     double difference(const Followed &one, const Followed &other)
     {
+      if (one.forces.size() != other.forces.size())
+        return std::numeric_limits<double>::infinity();
       double largest = 0, apart = 0;
-      for (std::size_t k = 0; k < std::min(one.forces.size(), other.forces.size()); ++k)
+      for (std::size_t k = 0; k < one.forces.size(); ++k)
         {
           largest = std::max(largest, std::fabs(one.forces[k]));
           apart   = std::max(apart, std::fabs(one.forces[k] - other.forces[k]));

@@ -3,8 +3,7 @@
 #include "dem/laws/cpm.h"
 #include "dem/statics/quasi_static_path.h"
 #include "tests/coupling/random_cell.h"
-#include "tests/dem/memory_state.h"
-#include "tests/dem/rank_threads.h"
+#include "tests/dem/iterated_paths.h"
 #include "tests/fem/solid_fixture.h"
 
 #include <catch2/catch.hpp>
@@ -13,10 +12,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <memory>
-#include <optional>
 
+using namespace iterated_paths;
 using Eigen::Vector3d;
 
 namespace
@@ -95,29 +93,13 @@ namespace
     return p;
   }
 
-  dem::QuasiStaticParameters
-  pulled(const dem::SolverMethod method, const double end_strain = 4e-5, dem::Ranks *const ranks = nullptr)
+  dem::QuasiStaticParameters pulled(const dem::SolverMethod method, const double end_strain = 4e-5)
   {
     dem::QuasiStaticParameters p;
     p.strain_step = 5e-6;
     p.end_strain  = end_strain;
     p.solver      = method;
-    p.ranks       = ranks;
     return p;
-  }
-
-  struct Course
-  {
-    std::vector<dem::QuasiStaticPoint> points;
-    dem::LoadedMotion                  motion;
-  };
-
-  Course course_of(const dem::LoadedNetwork &network, const dem::QuasiStaticParameters &p)
-  {
-    dem::QuasiStaticPath path(network, concrete(), p);
-    while (!path.finished())
-      path.advance();
-    return {path.points(), path.motion()};
   }
 
   double largest_force(const std::vector<dem::QuasiStaticPoint> &points)
@@ -126,30 +108,6 @@ namespace
     for (const dem::QuasiStaticPoint &p : points)
       largest = std::max(largest, std::fabs(p.stress[0]));
     return largest;
-  }
-
-  /** Put an iterated path where one by factors is, which has all of its state but where iterations start. */
-  void go_on_from(dem::QuasiStaticPath &iterated, dem::QuasiStaticPath &factors)
-  {
-    MemoryState         own, state;
-    MemoryState::Writer of_own(own), of_factors(state);
-    iterated.visit_state(of_own);
-    factors.visit_state(of_factors);
-    state.columns["iteration_starts"] = own.columns.at("iteration_starts");
-    MemoryState::Reader reader(state);
-    iterated.visit_state(reader);
-  }
-
-  bool same_bits(const Course &a, const Course &b)
-  {
-    const auto same = [](const double *x, const double *y, const std::size_t n) {
-      return std::memcmp(x, y, n * sizeof(double)) == 0;
-    };
-    bool all = a.points.size() == b.points.size() && same(a.motion.particles.data(), b.motion.particles.data(),
-                                                          static_cast<std::size_t>(a.motion.particles.size()));
-    for (std::size_t k = 0; all && k < a.points.size(); ++k)
-      all = same(a.points[k].stress.data(), b.points[k].stress.data(), 6) && a.points[k].damage == b.points[k].damage;
-    return all;
   }
 } // namespace
 
@@ -192,21 +150,7 @@ TEST_CASE("iterated handshake: from each point of a path by factors it finds the
 TEST_CASE("iterated handshake: every number has the bits of one rank", "[coupling][volume][statics][ranks][slow]")
 {
   const std::string name = GENERATE("coarse", "strict", "constrained");
-  omp_set_num_threads(1);
-  constexpr double shortly = 1.5e-5; // bonds have damage
-  const Bar        bar(method_of(name));
-  const Course     alone = course_of(bar.network(), pulled(dem::SolverMethod::iterative, shortly));
   INFO(name);
-  REQUIRE(alone.points.back().mean_damage > 0);
-  for (const std::size_t ranks : {2, 3})
-    {
-      std::vector<char> same(ranks, 0);
-      rank_threads::run(ranks, [&](const std::shared_ptr<dem::Ranks> &team) {
-        omp_set_num_threads(team->rank() == 0 ? 2 : 1);
-        same[team->rank()] =
-          same_bits(course_of(bar.network(), pulled(dem::SolverMethod::automatic, shortly, team.get())), alone);
-      });
-      INFO(ranks << " ranks");
-      CHECK(std::count(same.begin(), same.end(), 1) == static_cast<std::ptrdiff_t>(ranks));
-    }
+  const Bar bar(method_of(name));
+  same_on_ranks(bar.network(), concrete(), pulled(dem::SolverMethod::iterative, 1.5e-5), {2, 3});
 }

@@ -1,7 +1,6 @@
 // Quasi-static paths whose linear systems are solved by iteration: against factors, and by several ranks with the same bits.
 #include "dem/network/turning_grips.h"
-#include "memory_state.h"
-#include "rank_threads.h"
+#include "iterated_paths.h"
 #include "tests/dem/quasi_static_fixture.h"
 
 #include <catch2/catch.hpp>
@@ -10,12 +9,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <optional>
 #include <string>
 #include <vector>
 
 using namespace quasi_static_fixture;
+using namespace iterated_paths;
 
 namespace
 {
@@ -84,24 +83,22 @@ namespace
     }
   };
 
-  struct Course
+  struct BrokenCourse
   {
     std::vector<dem::QuasiStaticPoint> points;
     Breaks                             breaks;
-    dem::LoadedMotion                  motion;
   };
 
-  Course course_of(const dem::LoadedNetwork &loaded, const dem::QuasiStaticParameters &p)
+  BrokenCourse broken_course_of(const dem::LoadedNetwork &loaded, const dem::QuasiStaticParameters &p)
   {
     dem::QuasiStaticPath path(loaded, law, p);
-    Course               course;
+    BrokenCourse         course;
     while (!path.finished())
       {
         path.advance();
         course.breaks.note(path.links());
       }
     course.points = path.points();
-    course.motion = path.motion();
     return course;
   }
 
@@ -113,50 +110,9 @@ namespace
     return (a.stress - b.stress).norm();
   }
 
-  /** Put an iterated path where one by factors is, which has all of its state but where iterations start. */
-  void go_on_from(dem::QuasiStaticPath &iterated, dem::QuasiStaticPath &factors)
-  {
-    MemoryState         own, state;
-    MemoryState::Writer of_own(own), of_factors(state);
-    iterated.visit_state(of_own);
-    factors.visit_state(of_factors);
-    state.columns["iteration_starts"] = own.columns.at("iteration_starts");
-    MemoryState::Reader reader(state);
-    iterated.visit_state(reader);
-  }
-
-  bool same_bits(const Course &a, const Course &b)
-  {
-    const auto same = [](const double *x, const double *y, const std::size_t n) {
-      return std::memcmp(x, y, n * sizeof(double)) == 0;
-    };
-    bool all = a.points.size() == b.points.size() && same(a.motion.particles.data(), b.motion.particles.data(),
-                                                          static_cast<std::size_t>(a.motion.particles.size()));
-    for (std::size_t i = 0; all && i < a.points.size(); ++i)
-      all = same(a.points[i].strain.data(), b.points[i].strain.data(), 6) &&
-            same(a.points[i].stress.data(), b.points[i].stress.data(), 6) &&
-            a.points[i].iterations == b.points[i].iterations && a.points[i].damage == b.points[i].damage;
-    return all;
-  }
-
   void same_on_ranks(const dem::LoadedNetwork &loaded, const dem::QuasiStaticParameters &p)
   {
-    omp_set_num_threads(1);
-    const Course alone = course_of(loaded, p);
-    REQUIRE(alone.points.size() > 4);
-    REQUIRE(alone.points.back().mean_damage > 0);
-    for (const std::size_t ranks : {1, 2, 3, 5}) // three bricks
-      {
-        std::vector<char> same(ranks, 0);
-        rank_threads::run(ranks, [&](const std::shared_ptr<dem::Ranks> &team) {
-          omp_set_num_threads(team->rank() == 0 ? 2 : 1);
-          dem::QuasiStaticParameters shared = p;
-          shared.ranks                      = team.get();
-          same[team->rank()]                = same_bits(course_of(loaded, shared), alone);
-        });
-        INFO(ranks << " ranks");
-        CHECK(std::count(same.begin(), same.end(), 1) == static_cast<std::ptrdiff_t>(ranks));
-      }
+    iterated_paths::same_on_ranks(loaded, law, p, {1, 2, 3, 5}); // three bricks
   }
 } // namespace
 
@@ -165,8 +121,8 @@ TEST_CASE("an iterated path of tension has the forces and the breaks of one by f
   omp_set_num_threads(1);
   const bool               cell    = GENERATE(false, true);
   const dem::LoadedNetwork loaded  = cell ? cell_of(150) : box_of(300);
-  const Course             factors = course_of(loaded, pulled(3e-4, dem::SolverMethod::direct));
-  const Course             course  = course_of(loaded, pulled(3e-4, dem::SolverMethod::iterative));
+  const BrokenCourse       factors = broken_course_of(loaded, pulled(3e-4, dem::SolverMethod::direct));
+  const BrokenCourse       course  = broken_course_of(loaded, pulled(3e-4, dem::SolverMethod::iterative));
   REQUIRE(factors.breaks.order.size() > 10);
   CHECK(course.breaks.order == factors.breaks.order);
   REQUIRE(course.points.size() == factors.points.size());
@@ -250,7 +206,7 @@ TEST_CASE("an iterated path goes on after a restart on other ranks with the bits
   const dem::LoadedNetwork         loaded = box_of(600);
   const dem::QuasiStaticParameters p      = shortly_pulled();
   omp_set_num_threads(1);
-  const Course alone = course_of(loaded, p);
+  const Course alone = course_of(loaded, law, p);
   const auto   stop  = alone.points.size() / 2;
   MemoryState  half;
   rank_threads::run(3, [&](const std::shared_ptr<dem::Ranks> &team) {
@@ -278,7 +234,7 @@ TEST_CASE("an iterated path goes on after a restart on other ranks with the bits
         path.visit_state(reader);
         while (!path.finished())
           path.advance();
-        same[team->rank()] = same_bits({path.points(), {}, path.motion()}, alone);
+        same[team->rank()] = same_bits({path.points(), path.motion()}, alone);
       });
       CHECK(std::count(same.begin(), same.end(), 1) == static_cast<std::ptrdiff_t>(ranks));
     }
