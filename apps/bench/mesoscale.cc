@@ -22,8 +22,7 @@ namespace apps
   {
     using beygi::Ratios;
 
-    constexpr std::array<const char *, beygi::properties> names         = {"E", "f_t", "f_c", "G_f"};
-    constexpr double                                      worth_of_work = 0.2; // of f_t, down to which work is counted
+    constexpr std::array<const char *, beygi::properties> names = {"E", "f_t", "f_c", "G_f"};
 
     /** One geometry of one mix. */
     struct Specimen
@@ -49,7 +48,7 @@ namespace apps
       return work;
     }
 
-    void run_test(const UniaxialModel &model, const dem::Packing &packing, Specimen &specimen)
+    void run_test(const UniaxialModel &model, const dem::Packing &packing, const double work_until, Specimen &specimen)
     {
       UniaxialLabTest test(model, packing, 0);
       while (!test.finished())
@@ -64,10 +63,14 @@ namespace apps
         }
       specimen.found[beygi::modulus]  = result.notes.figures.young_modulus;
       specimen.found[beygi::tension]  = result.notes.figures.strength;
-      specimen.found[beygi::fracture] = result.notes.gauge_length * work_until_fallen(result, worth_of_work);
+      specimen.found[beygi::fracture] = result.notes.gauge_length * work_until_fallen(result, work_until);
     }
 
-    Specimen run_specimen(UniaxialModel model, const beygi::Mix &mix, const double ductility, const std::int64_t seed)
+    Specimen run_specimen(UniaxialModel      model,
+                          const beygi::Mix  &mix,
+                          const double       ductility,
+                          const std::int64_t seed,
+                          const double       work_until)
     {
       const base::Stopwatch watch;
       Specimen              specimen;
@@ -82,7 +85,7 @@ namespace apps
       for (const UniaxialLoad load : {UniaxialLoad::tension, UniaxialLoad::compression})
         {
           model.loading.tests = {load};
-          run_test(model, packing, specimen);
+          run_test(model, packing, work_until, specimen);
         }
       specimen.seconds = watch.seconds();
       return specimen;
@@ -253,10 +256,11 @@ namespace apps
         bench.mixes      = {"l-19"};
         bench.ductility.resize(1);
       }
-    const CheckedScene  scene = read_scene(bench.scene, bench.overrides);
-    const UniaxialModel model = model_of_kind<UniaxialModel>(scene, "uniaxial");
+    const CheckedScene scene = read_scene(bench.scene, bench.overrides);
+    UniaxialModel      model = model_of_kind<UniaxialModel>(scene, "uniaxial");
     if (!model.mix.given() || !model.source.has_box())
       refuse_scene(scene, "Specimen/Mix: this bench needs a box with a mix.");
+    model.loading.tension.stop_fraction = std::min(model.loading.tension.stop_fraction, bench.work_until);
     const BenchResults    results(bench.folder, "mesoscale");
     const auto            mixes = chosen_mixes(bench.mixes);
     std::vector<Specimen> all;
@@ -264,7 +268,7 @@ namespace apps
       for (const beygi::Mix *mix : mixes)
         for (int seed = 1; seed <= bench.geometries; ++seed)
           {
-            all.push_back(run_specimen(model, *mix, ductility, seed));
+            all.push_back(run_specimen(model, *mix, ductility, seed, bench.work_until));
             const Specimen &s = all.back();
             fmt::print("{:<7} {} seed {}: {} aggregates, E {:.2f} GPa, f_t {:.3f} MPa, f_c {:.2f} MPa, G_f {:.2f} "
                        "J/m2, {:.1f} s\n",

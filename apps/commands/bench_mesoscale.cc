@@ -25,6 +25,11 @@ namespace apps
       .list("--ductility", &MesoscaleBench::ductility, "F,...",
             "Of the interface over that of the mortar; default: 0.1 0.05")
       .check(CLI::PositiveNumber);
+    command
+      .option(
+        "--work-until", &MesoscaleBench::work_until, "F",
+        "Part of the strength that the stress falls to where the work of fracture ends; default: 0.2, as published")
+      .check(CLI::Range(1e-3, 0.9));
     command.flag("--quick", &MesoscaleBench::quick, "One geometry of l-9.5 and l-19 each, with the first ductility");
     command.runs(chosen, run_mesoscale_bench);
   }

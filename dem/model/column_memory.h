@@ -13,6 +13,7 @@ namespace dem
   void each_column_of_state(Links &links, const Use &use)
   {
     use(links.reference_length, std::size_t{1});
+    use(links.area, std::size_t{1});
     for (auto &column : links.history)
       use(column, std::size_t{1});
     use(links.force, std::size_t{record_size});

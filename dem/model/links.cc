@@ -25,7 +25,8 @@ namespace dem
     for (const auto *column :
          {&first, &second, &image, &pair, &noted, &kinds, &first_block, &own_begin, &owned, &other_begin, &others})
       integers += column->capacity();
-    return doubles * sizeof(double) + integers * sizeof(std::int32_t) + accounts.capacity() * sizeof(LinkBlockAccount);
+    return doubles * sizeof(double) + integers * sizeof(std::int32_t) + living.capacity() +
+           accounts.capacity() * sizeof(LinkBlockAccount);
   }
 
   void LinkSet::shape_for(const LinkLaw &links_law, const bool in_cell, const bool several_materials)
@@ -106,8 +107,16 @@ namespace dem
         std::fill(column->begin() + begin, column->end(), 0);
     std::fill(reference_length.begin() + begin, reference_length.end(), 1.0);
     std::fill(area.begin() + begin, area.end(), 0.0);
+    std::fill(living.begin() + begin, living.end(), std::uint8_t{0});
     for (base::Column &column : history)
       std::fill(column.begin() + begin, column.end(), 0.0);
+  }
+
+  void LinkSet::find_living()
+  {
+    living.resize(area.size());
+    for (std::size_t l = 0; l < area.size(); ++l)
+      living[l] = area[l] > 0;
   }
 
   void LinkSet::resize(const std::size_t n, const std::size_t particles)
@@ -127,6 +136,7 @@ namespace dem
       noted.resize(lines);
     reference_length.resize(lines);
     area.resize(lines);
+    living.resize(lines);
     for (base::Column &column : history)
       assign_zeros(column, lines);
     pad(n, particles);
@@ -191,6 +201,7 @@ namespace dem
       noted[to] = source.noted[from];
     reference_length[to] = source.reference_length[from];
     area[to]             = source.area[from];
+    living[to]           = source.living[from];
     for (std::size_t c = 0; c < history.size(); ++c)
       history[c][to] = source.history[c][from];
     std::copy_n(&source.force[record_size * from], record_size, &force[record_size * to]);
@@ -200,7 +211,8 @@ namespace dem
 
   void LinkSet::remove(const std::size_t link)
   {
-    area[link] = 0.0;
+    area[link]   = 0.0;
+    living[link] = 0;
     std::fill_n(&force[record_size * link], record_size, 0.0);
     if (moments_apart)
       std::fill_n(&moment[half_record_size * link], half_record_size, 0.0);
@@ -320,6 +332,7 @@ namespace dem
 
         links.reference_length[l] = law.reference_length(links.pair_of(l), fresh);
         links.area[l]             = fresh.area;
+        links.living[l]           = fresh.area > 0;
         std::fill(row.begin(), row.end(), 0.0);
         law.begin(links.pair_of(l), fresh, row.data());
         for (std::size_t c = 0; c < row.size(); ++c)
@@ -347,6 +360,8 @@ namespace dem
       visitor.column(name + "/pair", pair);
     visitor.column(name + "/reference_length", reference_length);
     visitor.column(name + "/area", area);
+    if (!in_parts) // else states are only written, and not all areas known
+      find_living();
     if (logs_breaks)
       visitor.column(name + "/noted", noted);
     for (std::size_t c = 0; c < history.size(); ++c)

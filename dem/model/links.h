@@ -73,6 +73,7 @@ namespace dem
     std::vector<std::int32_t> noted; ///< 1: broken, and in the crack log; only where broken links may stay
     base::Column              reference_length; ///< L0 [m]
     base::Column              area;             ///< A [m^2]; 0: deleted
+    std::vector<std::uint8_t> living;           ///< 1: there, 0: deleted; all ranks know of each, and not all its area
     std::vector<base::Column> history;          ///< what the law remembers, see `quantities`
     base::Column
       force; ///< records: f on the first end (3) [N] | half l x f (3) [N m] | (r_J - r_K)/L | m_z in the plane
@@ -92,7 +93,7 @@ namespace dem
     std::vector<std::int32_t> others;      ///< links whose second end is particle i, ascending
 
     std::size_t blocks() const { return accounts.size(); }
-    bool        is_alive(const std::size_t link) const { return area[link] > 0; }
+    bool        is_alive(const std::size_t link) const { return living[link] != 0; }
     /** A bond that broke and stays as a contact. */
     bool is_broken(const std::size_t link) const { return logs_breaks && noted[link] != 0; }
     /** How many of the living are such. */
@@ -159,6 +160,7 @@ namespace dem
   private:
     /** Lines from there on are no links. */
     void pad(std::size_t from, std::size_t particles);
+    void find_living();
   };
 
   /** Particles that the lines of some parts end in, ascending; lines of padding end in none. */

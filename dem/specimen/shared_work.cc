@@ -40,6 +40,7 @@ namespace dem
       const LinkPart    lines = links.part_of_block(block);
       const std::size_t count = lines.end - lines.begin;
       use(&links.reference_length[lines.begin], count);
+      use(&links.area[lines.begin], count);
       for (base::Column &column : links.history)
         use(&column[lines.begin], count);
       use(&links.force[record_size * lines.begin], record_size * count);

@@ -19,6 +19,13 @@ namespace apps_tests
       return arguments;
     }
 
+    /** A run that is not stopped writes no checkpoints, which take most of its time where they are frequent, and change nothing. */
+    std::vector<std::string> without_checkpoints(std::vector<std::string> arguments)
+    {
+      arguments.insert(arguments.end(), {"-s", "Output/Checkpoint interval=600"});
+      return arguments;
+    }
+
     /** A run that was requested to stop says how to go on; one that was killed goes on by the same command. */
     std::vector<std::string> way_to_go_on(const InterruptedRun &what, const Outcome &stopped, const int signal)
     {
@@ -68,7 +75,7 @@ namespace apps_tests
   void
   goes_on_to_the_same_bits(const ScratchFolder &folder, const InterruptedRun &what, const std::vector<int> &signals)
   {
-    const Outcome whole = run(folder.path(), into(what.arguments, "whole"));
+    const Outcome whole = run(folder.path(), without_checkpoints(into(what.arguments, "whole")));
     INFO(whole.err);
     REQUIRE(whole.status == apps::exit_success);
     for (const int signal : signals)
@@ -78,7 +85,7 @@ namespace apps_tests
         INFO(stopped.err);
         const std::vector<std::string> words = way_to_go_on(what, stopped, signal);
         CHECK_FALSE(std::filesystem::exists(folder / "results/summary.json"));
-        const Outcome resumed = run(folder.path(), words);
+        const Outcome resumed = run(folder.path(), without_checkpoints(words));
         INFO(resumed.err);
         REQUIRE(resumed.status == apps::exit_success);
         CHECK(what.reproducible_part(folder / "results") == what.reproducible_part(folder / "whole"));

@@ -128,7 +128,7 @@ TEST_CASE("A run that was interrupted on three ranks goes on on one, and on five
   for (const std::string &scene : {small_concrete(), run_of("drop_weight.prm")})
     {
       INFO(scene);
-      goes_on_on_others(scene + " -s 'Output/Checkpoint interval=0.01'");
+      goes_on_on_others(scene);
     }
 }
 

@@ -97,7 +97,7 @@ TEST_CASE("A quasi-static run that was interrupted on three ranks goes on on one
 {
   if (places::skipped_without_mpirun())
     return;
-  goes_on_on_others(pulled({"Output/Checkpoint interval=0.01"}));
+  goes_on_on_others(pulled());
 }
 
 TEST_CASE("A bent beam of particles has the same results on one rank and on three, by the automatic solver",
@@ -121,7 +121,7 @@ TEST_CASE(
 {
   if (places::skipped_without_mpirun())
     return;
-  goes_on_on_others(bent({"Output/Checkpoint interval=0.01"}));
+  goes_on_on_others(bent());
 }
 
 TEST_CASE("Grips that turn have the same results on one rank and on three, by the automatic solver",
@@ -167,7 +167,7 @@ TEST_CASE("A beam with elements that was interrupted on three ranks goes on on o
 {
   if (places::skipped_without_mpirun())
     return;
-  goes_on_on_others(promoted({"Output/Checkpoint interval=0.01"}));
+  goes_on_on_others(promoted());
 }
 
 TEST_CASE("What needs a factor is refused under mpirun in one message", "[apps][mpi][ranks][S14]")

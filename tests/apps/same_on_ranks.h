@@ -48,13 +48,13 @@ namespace apps_tests
     return names;
   }
 
-  /** Interrupted on three ranks, a run goes on on one and on five to what it gives without. */
+  /** Interrupted on three ranks, a run goes on on one and on five to what it gives without. Only the first writes checkpoints. */
   inline void goes_on_on_others(const std::string &words)
   {
     const ScratchFolder folder;
     REQUIRE(shell_in(folder, program_on(0, 1) + words + " -o whole") == 0);
     shell_in(folder, program_on(3, 1, noting_its_process) + words +
-                       " -o results & while kill -0 $! && [ ! -e results/running/checkpoint.h5 ]; do sleep 0.01; "
+                       " -s 'Output/Checkpoint interval=0.01' -o results & while kill -0 $! && [ ! -e results/running/checkpoint.h5 ]; do sleep 0.01; "
                        "done; " +
                        interrupt_noted + "; wait $!");
     INFO(content_of(folder / "said"));
