@@ -20,10 +20,10 @@ namespace dem
     constexpr double least_round = 0.8;
   } // namespace
 
-  CylinderWall::CylinderWall(Specimen             &body,
-                             const ParticleOutput &particles,
-                             const int             axis,
-                             const LinkMaterials  &contact)
+  CylinderWall::CylinderWall(Specimen                 &body,
+                             const ParticleKinematics &particles,
+                             const int                 axis,
+                             const LinkMaterials      &contact)
     : specimen(&body)
   {
     const BodyExtent extent(particles);

@@ -23,7 +23,7 @@ namespace dem
     static constexpr std::size_t sides = 72;
 
     /** Before the first step: it touches the outermost particle. @param axis of the load @throws base::InputError where the specimen is no cylinder about it */
-    CylinderWall(Specimen &specimen, const ParticleOutput &particles, int axis, const LinkMaterials &contact);
+    CylinderWall(Specimen &specimen, const ParticleKinematics &particles, int axis, const LinkMaterials &contact);
 
     /** For the step to come. @param pressure [Pa] @param largest_speed [m/s] @param gain as of ForceServo */
     void hold(double pressure, const EndPlanes &ends, double largest_speed, double gain);

@@ -79,8 +79,8 @@ namespace dem
     , what(checked(parameters, body))
     , press(body, press_of(parameters))
   {
-    const ParticleOutput particles = body.particles();
-    const BodyExtent     extent(particles);
+    const ParticleKinematics particles = body.kinematics();
+    const BodyExtent         extent(particles);
     choose_measures(particles, extent);
     bonded = body.counts().links > 0;
     if (what.seating_speed == 0)
@@ -102,7 +102,7 @@ namespace dem
       }
   }
 
-  void LabTest::choose_measures(const ParticleOutput &particles, const BodyExtent &body)
+  void LabTest::choose_measures(const ParticleKinematics &particles, const BodyExtent &body)
   {
     const int    axis = what.press.axis, dimension = specimen->parameters().physics.dimension;
     const double height = press.height(), diameter = mean_diameter(particles.radius);

@@ -109,7 +109,7 @@ namespace dem
 
   private:
     bool is(const LabParameters::Test test) const { return what.test == test; }
-    void choose_measures(const ParticleOutput &particles, const BodyExtent &body);
+    void choose_measures(const ParticleKinematics &particles, const BodyExtent &body);
     /** Speed of the step to come: the prescribed one, growing from zero [m/s]. */
     double       ramped(double speed) const;
     double       strain_now() const;      ///< by the platens, where they are now [-]

@@ -91,10 +91,10 @@ namespace dem
 
   void Membrane::lay(const EndPlanes &ends)
   {
-    const ParticleOutput now = specimen->particles();
-    hull                     = find_hull(now.position, now.radius, specimen->parameters().physics.dimension, ball);
-    const auto corners       = static_cast<std::ptrdiff_t>(hull.corners);
-    const auto covered       = [&](const std::array<std::int32_t, 3> &facet) {
+    const ParticleKinematics now = specimen->kinematics();
+    hull                         = find_hull(now.position, now.radius, specimen->parameters().physics.dimension, ball);
+    const auto corners           = static_cast<std::ptrdiff_t>(hull.corners);
+    const auto covered           = [&](const std::array<std::int32_t, 3> &facet) {
       return std::all_of(facet.begin(), facet.begin() + corners, [&](const std::int32_t i) {
         return at_end(now.position[static_cast<std::size_t>(i)], now.radius[static_cast<std::size_t>(i)], ends);
       });

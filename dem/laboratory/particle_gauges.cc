@@ -13,7 +13,7 @@ namespace dem
     /** Half width of a row in mean diameters, and part of the particles that count as a side. */
     constexpr double diameters = 2, outermost_part = 0.05;
 
-    MeanMotion mean_of(std::vector<std::size_t> chosen, const ParticleOutput &particles, const int axis)
+    MeanMotion mean_of(std::vector<std::size_t> chosen, const ParticleKinematics &particles, const int axis)
     {
       MeanMotion mean;
       for (const std::size_t i : chosen)
@@ -23,7 +23,7 @@ namespace dem
     }
   } // namespace
 
-  BodyExtent::BodyExtent(const ParticleOutput &p)
+  BodyExtent::BodyExtent(const ParticleKinematics &p)
     : low(p.position.front())
     , high(p.position.front())
   {
@@ -52,7 +52,8 @@ namespace dem
     return 2 * std::accumulate(radius.begin(), radius.end(), 0.0) / static_cast<double>(radius.size());
   }
 
-  MeanMotion particles_near(const ParticleOutput &particles, const int axis, const double place, const double within)
+  MeanMotion
+  particles_near(const ParticleKinematics &particles, const int axis, const double place, const double within)
   {
     std::vector<std::size_t> chosen;
     for (std::size_t i = 0; i < particles.position.size(); ++i)
@@ -61,7 +62,7 @@ namespace dem
     return mean_of(std::move(chosen), particles, axis);
   }
 
-  ParticleGauge rows_along(const ParticleOutput &particles, const int axis)
+  ParticleGauge rows_along(const ParticleKinematics &particles, const int axis)
   {
     const BodyExtent body(particles);
     const double     within = diameters * mean_diameter(particles.radius);
@@ -70,7 +71,7 @@ namespace dem
             particles_near(particles, axis, at(high_row), within)};
   }
 
-  ParticleGauge sides_across(const ParticleOutput &particles, const int axis, const int across)
+  ParticleGauge sides_across(const ParticleKinematics &particles, const int axis, const int across)
   {
     const BodyExtent         body(particles);
     std::vector<std::size_t> inner;

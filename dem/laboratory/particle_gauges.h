@@ -16,7 +16,7 @@ namespace dem
   {
     Eigen::Vector3d low, high;
 
-    explicit BodyExtent(const ParticleOutput &particles);
+    explicit BodyExtent(const ParticleKinematics &particles);
     double length(const int axis) const { return high[axis] - low[axis]; }
     double middle(const int axis) const { return 0.5 * (low[axis] + high[axis]); }
   };
@@ -46,11 +46,11 @@ namespace dem
    * The two rows of particles about a quarter and three quarters of the height, each two mean diameters to either side, so that the
    * platens have no part in what they measure.
    */
-  ParticleGauge rows_along(const ParticleOutput &particles, int axis);
+  ParticleGauge rows_along(const ParticleKinematics &particles, int axis);
   /** The outermost twentieth of the particles at either side, of those in the middle half of the height. */
-  ParticleGauge sides_across(const ParticleOutput &particles, int axis, int across);
+  ParticleGauge sides_across(const ParticleKinematics &particles, int axis, int across);
 
   double mean_diameter(const std::vector<double> &radius); ///< [m]
   /** Particles whose coordinate along an axis lies that near to a place [m]. */
-  MeanMotion particles_near(const ParticleOutput &particles, int axis, double place, double within);
+  MeanMotion particles_near(const ParticleKinematics &particles, int axis, double place, double within);
 } // namespace dem

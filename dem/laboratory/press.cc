@@ -27,7 +27,8 @@ namespace dem
     }
 
     /** How far along the axis a roller goes until it touches a particle, beside which it comes from far away. */
-    double roller_stop(const ParticleOutput &p, const PressParameters &press, const double at, const Press::Side side)
+    double
+    roller_stop(const ParticleKinematics &p, const PressParameters &press, const double at, const Press::Side side)
     {
       const double sense   = side == Press::low ? 1 : -1;
       double       nearest = std::numeric_limits<double>::infinity();
@@ -61,8 +62,8 @@ namespace dem
     : specimen(&body)
     , parameters(p)
   {
-    const ParticleOutput particles = body.particles();
-    const BodyExtent     extent(particles);
+    const ParticleKinematics particles = body.kinematics();
+    const BodyExtent         extent(particles);
     if (p.kind == PressParameters::Kind::platens)
       add_platens(extent);
     else if (p.kind == PressParameters::Kind::glued)
@@ -101,7 +102,7 @@ namespace dem
     start_height = place[high] - place[low];
   }
 
-  void Press::add_layers(const ParticleOutput &particles)
+  void Press::add_layers(const ParticleKinematics &particles)
   {
     const int a     = parameters.axis;
     double    first = std::numeric_limits<double>::infinity(), last = -first;
@@ -139,7 +140,7 @@ namespace dem
     start_height = place[high] - place[low];
   }
 
-  void Press::add_rollers(const ParticleOutput &particles, const BodyExtent &body)
+  void Press::add_rollers(const ParticleKinematics &particles, const BodyExtent &body)
   {
     const bool   plane  = specimen->parameters().physics.dimension == 2;
     const double middle = body.middle(parameters.along), half = 0.5 * parameters.span;

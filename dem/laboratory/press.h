@@ -65,8 +65,8 @@ namespace dem
 
   private:
     void            add_platens(const BodyExtent &body);
-    void            add_layers(const ParticleOutput &particles);
-    void            add_rollers(const ParticleOutput &particles, const BodyExtent &body);
+    void            add_layers(const ParticleKinematics &particles);
+    void            add_rollers(const ParticleKinematics &particles, const BodyExtent &body);
     double          side_speed(Side side, double speed) const;
     Eigen::Vector3d inward(Side side) const;
 

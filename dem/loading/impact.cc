@@ -82,10 +82,10 @@ namespace dem
     check(p);
     if (body.parameters().loose != 1)
       throw base::InputError("Impact: the specimen must have one loose particle, the impactor.");
-    const ParticleOutput particles = body.particles();
-    impactor_mass                  = particles.mass[impactor];
-    Eigen::Vector3d velocity       = Eigen::Vector3d::Zero();
-    velocity[up]                   = -p.impactor_velocity;
+    const ParticleKinematics particles = body.kinematics();
+    impactor_mass                      = particles.mass[impactor];
+    Eigen::Vector3d velocity           = Eigen::Vector3d::Zero();
+    velocity[up]                       = -p.impactor_velocity;
     body.set_velocity(impactor, velocity, Eigen::Vector3d::Zero());
 
     const Extent extent = extent_of(particles.position, impactor);
@@ -112,7 +112,7 @@ namespace dem
 
   double ImpactTest::absorbed() const
   {
-    return impactor_energy() - 0.5 * impactor_mass * specimen->particles().velocity[impactor].squaredNorm();
+    return impactor_energy() - 0.5 * impactor_mass * specimen->particle(impactor).velocity.squaredNorm();
   }
 
   ImpactSample ImpactTest::advance(const std::int64_t steps)
@@ -124,9 +124,9 @@ namespace dem
         taken += now;
         update();
       }
-    const ParticleOutput particles = specimen->particles();
-    const EnergyAccount  energy    = specimen->energy();
-    ImpactSample         sample;
+    const ParticleKinematics particles = specimen->kinematics();
+    const EnergyAccount      energy    = specimen->energy();
+    ImpactSample             sample;
     sample.time              = specimen->time();
     sample.impactor_velocity = -particles.velocity[impactor][up];
     sample.kinetic           = energy.kinetic - 0.5 * impactor_mass * particles.velocity[impactor].squaredNorm();
@@ -147,7 +147,7 @@ namespace dem
       episode = Episode::contact;
     if (episode == Episode::flight)
       return;
-    const ParticleOutput particles = specimen->particles();
+    const ParticleKinematics particles = specimen->kinematics();
     if (episode == Episode::contact && particles.velocity[impactor][up] > 0)
       {
         const Eigen::Vector3d &x    = particles.position[impactor];

@@ -50,7 +50,7 @@ namespace dem
     std::vector<double> since = lost;
     for (std::size_t i = 0; i < lost_at_onset.size(); ++i)  // none before the first damage
       since[i] = std::max(lost[i] - lost_at_onset[i], 0.0); // below 0 by round-off only
-    const Band band = strongest_band(specimen.cell().base, specimen.particles().position, since,
+    const Band band = strongest_band(specimen.cell().base, specimen.kinematics().position, since,
                                      specimen.parameters().physics.dimension);
     if (!(band.concentration > localised_above && band.by_chance < surely_not_chance))
       return std::nullopt;

@@ -38,7 +38,7 @@ namespace dem
       return result;
     }
 
-    double mass_of(const ParticleOutput &particles)
+    double mass_of(const ParticleKinematics &particles)
     {
       return std::accumulate(particles.mass.begin(), particles.mass.end(), 0.0);
     }
@@ -49,9 +49,9 @@ namespace dem
      */
     double modulus_of_step(const ObservedSpecimen &specimen)
     {
-      const ParticleOutput particles = specimen.particles();
-      const double         least     = *std::min_element(particles.radius.begin(), particles.radius.end());
-      const double         speed     = 2 * least * specimen.parameters().step_factor / specimen.longest_step();
+      const ParticleKinematics particles = specimen.kinematics();
+      const double             least     = *std::min_element(particles.radius.begin(), particles.radius.end());
+      const double             speed     = 2 * least * specimen.parameters().step_factor / specimen.longest_step();
       return mass_of(particles) / specimen.cell().volume * speed * speed / 6;
     }
   } // namespace
@@ -67,7 +67,7 @@ namespace dem
     const Eigen::Vector3d height = cell.base.inverse().rowwise().norm().cwiseInverse();
     const double          highest =
       specimen.parameters().physics.dimension == 3 ? height.maxCoeff() : height.head<2>().maxCoeff();
-    crossing = highest / std::sqrt(modulus * cell.volume / mass_of(specimen.particles()));
+    crossing = highest / std::sqrt(modulus * cell.volume / mass_of(specimen.kinematics()));
     follow(specimen);
   }
 

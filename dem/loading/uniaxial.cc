@@ -38,7 +38,7 @@ namespace dem
     {
       const SpecimenParameters &made = body.parameters();
       check(p, made.physics.dimension);
-      const ParticleOutput particles = body.particles();
+      const ParticleKinematics particles = body.kinematics();
       return find_grip_layers({particles.position, particles.radius, made.physics.dimension, made.thickness}, p.axis,
                               p.grips);
     }
@@ -50,10 +50,10 @@ namespace dem
     , layers(layers_of(body, p))
     , rate(p.strain_rate)
   {
-    const ParticleOutput particles = body.particles();
-    const auto          &x         = particles.position;
-    const double         radii     = std::accumulate(particles.radius.begin(), particles.radius.end(), 0.0);
-    const double         faces     = layers.high_face - layers.low_face;
+    const ParticleKinematics particles = body.kinematics();
+    const auto              &x         = particles.position;
+    const double             radii     = std::accumulate(particles.radius.begin(), particles.radius.end(), 0.0);
+    const double             faces     = layers.high_face - layers.low_face;
     row = static_cast<std::int64_t>(std::ceil(faces / (2 * radii / static_cast<double>(x.size()))));
 
     // Every particle between the grips starts with the velocity of a uniform strain rate: no shock runs in from them.

@@ -6,25 +6,6 @@
 
 namespace dem
 {
-  LinkView link_at(const Particles &particles, const LinkSet &links, const std::size_t link, const Geometry geometry)
-  {
-    const std::size_t J = links.first[link], K = links.second[link];
-    const auto        moved = [&](const std::size_t i) { return Eigen::Vector3d(&particles.motion[record_size * i]); };
-    LinkView          view;
-    view.direction = branch_of(particles, links, link);
-    if (geometry == Geometry::before_motion)
-      {
-        view.direction -= moved(K) - moved(J);
-        if (links.periodic)
-          view.direction -= particles.cell.motion_of(links.image[link]);
-      }
-    view.length = view.direction.norm();
-    view.direction /= view.length;
-    view.strain = (view.length - links.reference_length[link]) / links.reference_length[link];
-    view.force  = Eigen::Vector3d(&links.force[record_size * link]);
-    return view;
-  }
-
   LinkLoad load_at(const Particles &particles, const LinkSet &links, const std::size_t link)
   {
     const std::size_t J = links.first[link], K = links.second[link];
@@ -138,11 +119,15 @@ namespace dem
     return sum;
   }
 
-  void add_damage_dissipation(
-    const Particles &particles, const LinkSet &links, const LinkLaw &law, const LinkRange &lines, double &sum)
+  void add_energies(
+    const Particles &particles, const LinkSet &links, const LinkLaw &law, const LinkRange &lines, LinkEnergies &sums)
   {
-    add_of_living(particles, links, law, lines, sum,
-                  [](LinkReader &reader, std::size_t) { return reader.damage_dissipation(); });
+    LinkReader reader(particles, links, law);
+    each_living(links, lines, [&](const std::size_t l) {
+      reader.read(l);
+      sums[0] += reader.stored();
+      sums[1] += reader.damage_dissipation();
+    });
   }
 
   double plastic_dissipation(const LinkSet &links)

@@ -6,6 +6,8 @@
 #include "dem/model/links.h"
 #include "dem/model/particles.h"
 
+#include <array>
+
 namespace dem
 {
   /** Which positions belong to the links' forces and state. */
@@ -24,10 +26,28 @@ namespace dem
     Eigen::Vector3d force;     ///< on the first end [N]
   };
 
-  LinkView link_at(const Particles &particles,
-                   const LinkSet   &links,
-                   std::size_t      link,
-                   Geometry         geometry = Geometry::before_motion);
+  inline LinkView link_at(const Particles  &particles,
+                          const LinkSet    &links,
+                          const std::size_t link,
+                          const Geometry    geometry = Geometry::before_motion)
+  {
+    const auto moved = [&](const std::int32_t i) {
+      return Eigen::Vector3d(&particles.motion[record_size * static_cast<std::size_t>(i)]);
+    };
+    LinkView view;
+    view.direction = branch_of(particles, links, link);
+    if (geometry == Geometry::before_motion)
+      {
+        view.direction -= moved(links.second[link]) - moved(links.first[link]);
+        if (links.periodic)
+          view.direction -= particles.cell.motion_of(links.image[link]);
+      }
+    view.length = view.direction.norm();
+    view.direction /= view.length;
+    view.strain = (view.length - links.reference_length[link]) / links.reference_length[link];
+    view.force  = Eigen::Vector3d(&links.force[record_size * link]);
+    return view;
+  }
 
   /** The same as what measures of stress and couple stress take. */
   LinkLoad load_at(const Particles &particles, const LinkSet &links, std::size_t link);
@@ -110,9 +130,11 @@ namespace dem
 
   /** Dissipated by damage of the links so far, as the pass has summed it up: of laws that have no closed form for it [J]. */
   double summed_damage(const LinkSet &links);
-  /** Add what damage has dissipated in some living links by the closed form of the law, where it has one [J]. */
-  void add_damage_dissipation(
-    const Particles &particles, const LinkSet &links, const LinkLaw &law, const LinkRange &lines, double &sum);
+  /** What links store, and what damage has dissipated in them [J]. */
+  using LinkEnergies = std::array<double, 2>;
+  /** Add both of some living links to their sums, damage by the closed form of the law, where it has one. */
+  void add_energies(
+    const Particles &particles, const LinkSet &links, const LinkLaw &law, const LinkRange &lines, LinkEnergies &sums);
 
   /** Dissipated by sliding since the start [J]. */
   double plastic_dissipation(const LinkSet &links);

@@ -282,12 +282,6 @@ namespace dem
     return ends;
   }
 
-  Eigen::Vector3d branch_of(const Particles &particles, const LinkSet &links, const std::size_t link)
-  {
-    const Eigen::Vector3d branch = particles.position_of(links.second[link]) - particles.position_of(links.first[link]);
-    return links.periodic ? Eigen::Vector3d(branch + particles.cell.offset_of(links.image[link])) : branch;
-  }
-
   void make_links(LinkSet                          &links,
                   const std::vector<NeighbourPair> &pairs,
                   Particles                        &particles,
@@ -345,11 +339,11 @@ namespace dem
 
   void LinkSet::visit_state(base::StateVisitor &visitor, const std::string &name, const std::size_t particles)
   {
-    auto counted = static_cast<std::int64_t>(count), living = static_cast<std::int64_t>(alive);
+    auto counted = static_cast<std::int64_t>(count), alive_now = static_cast<std::int64_t>(alive);
     visitor.scalar(name + "/count", counted);
-    visitor.scalar(name + "/alive", living);
+    visitor.scalar(name + "/alive", alive_now);
     count = static_cast<std::size_t>(counted);
-    alive = static_cast<std::size_t>(living);
+    alive = static_cast<std::size_t>(alive_now);
     if (!kinds.empty())
       visitor.column(name + "/first_block", first_block);
     visitor.column(name + "/first", first);

@@ -167,7 +167,11 @@ namespace dem
   std::vector<std::int32_t> ends_of(const LinkSet &links, const std::vector<LinkPart> &parts, std::size_t particles);
 
   /** Branch l from the first end to the (image of the) second where the particles are now [m]. */
-  Eigen::Vector3d branch_of(const Particles &particles, const LinkSet &links, std::size_t link);
+  inline Eigen::Vector3d branch_of(const Particles &particles, const LinkSet &links, const std::size_t link)
+  {
+    const Eigen::Vector3d branch = particles.position_of(links.second[link]) - particles.position_of(links.first[link]);
+    return links.periodic ? Eigen::Vector3d(branch + particles.cell.offset_of(links.image[link])) : branch;
+  }
 
   /** Fill a set with undamaged links of the law between the pairs. Images that the cell does not know yet are entered into its
    * table. Where particles have materials, constants are those of the pairs. */

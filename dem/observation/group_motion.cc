@@ -48,7 +48,7 @@ namespace dem
   } // namespace
 
   GroupMotion
-  motion_of(const ObservedSpecimen &specimen, const ParticleOutput &p, const std::vector<std::size_t> &group)
+  motion_of(const ObservedSpecimen &specimen, const ParticleKinematics &p, const std::vector<std::size_t> &group)
   {
     const std::vector<bool> whole  = whole_clumps(specimen, group);
     const double            gyrate = specimen.parameters().physics.dimension == 3 ? 2.0 / 5 : 1.0 / 2;

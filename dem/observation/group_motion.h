@@ -25,6 +25,7 @@ namespace dem
   };
 
   /** @param particles of the specimen, as it is now @param group packing numbers, each once; not empty */
-  GroupMotion
-  motion_of(const ObservedSpecimen &specimen, const ParticleOutput &particles, const std::vector<std::size_t> &group);
+  GroupMotion motion_of(const ObservedSpecimen         &specimen,
+                        const ParticleKinematics       &particles,
+                        const std::vector<std::size_t> &group);
 } // namespace dem

@@ -109,22 +109,22 @@ namespace dem
 
   namespace
   {
-    double elastic_energy_of(SpecimenCore &core, const LinkSet &links, const LinkLaw &law)
+    double elastic_energy_of_contacts(SpecimenCore &core)
     {
       double sum = 0;
-      core.walk(links, &sum, 1,
-                [&](const LinkRange &lines) { add_elastic_energy(core.particles, links, law, lines, sum); });
+      core.walk(core.contacts, &sum, 1, [&](const LinkRange &lines) {
+        add_elastic_energy(core.particles, core.contacts, *core.contact_law, lines, sum);
+      });
       return sum;
     }
 
     /** @pre what blocks have summed up is gathered */
-    double damage_of_bonds(SpecimenCore &core)
+    LinkEnergies energies_of_bonds(SpecimenCore &core)
     {
-      double sum = summed_damage(core.bonds);
-      core.walk(core.bonds, &sum, 1, [&](const LinkRange &lines) {
-        add_damage_dissipation(core.particles, core.bonds, *core.bond_law, lines, sum);
-      });
-      return sum;
+      LinkEnergies sums = {0, summed_damage(core.bonds)};
+      core.walk(core.bonds, sums.data(), sums.size(),
+                [&](const LinkRange &lines) { add_energies(core.particles, core.bonds, *core.bond_law, lines, sums); });
+      return sums;
     }
   } // namespace
 
@@ -136,21 +136,21 @@ namespace dem
     EnergyAccount         e;
     auto                 &s           = *self;
     const SurfaceEnergies of_surfaces = s.surface_energies();
+    const auto [stored, damage]       = energies_of_bonds(s);
+    const double of_contacts          = elastic_energy_of_contacts(s);
     e.external_work                   = s.book.work.at_forces();
     e.gravity                         = s.step_count == 0 ? 0.0 : s.weight_work() - s.book.weight_at_start;
     e.initial                         = s.book.initial;
     if (s.step_count == 0)
       {
         e.kinetic = s.kinetic_of_velocities();
-        e.initial =
-          e.kinetic + s.book.stored_at_start + elastic_energy_of(s, s.contacts, *s.contact_law) + of_surfaces.stored;
+        e.initial = e.kinetic + s.book.stored_at_start + of_contacts + of_surfaces.stored;
       }
     else
       for (const auto &block : s.accounts)
         e.kinetic += block.kinetic;
-    e.elastic = elastic_energy_of(s, s.bonds, *s.bond_law) + elastic_energy_of(s, s.contacts, *s.contact_law) +
-                of_surfaces.stored;
-    e.damage   = damage_of_bonds(s) + s.cracks.dissipated() + of_surfaces.damage;
+    e.elastic  = stored + of_contacts + of_surfaces.stored;
+    e.damage   = damage + s.cracks.dissipated() + of_surfaces.damage;
     e.friction = plastic_dissipation(s.bonds) + plastic_dissipation(s.contacts) + of_surfaces.friction;
     e.released = s.book.released + released_in_place(s.bonds) + of_surfaces.released;
     e.damping =
@@ -213,11 +213,41 @@ namespace dem
     return sum.value() / static_cast<double>(self->made_links);
   }
 
-  ParticleOutput ObservedSpecimen::particles() const
+  ParticleKinematics ObservedSpecimen::kinematics() const
   {
     self->gather_particles();
-    const Particles             &p = self->particles;
-    const std::size_t            n = p.count;
+    const Particles   &p = self->particles;
+    const std::size_t  n = p.count;
+    ParticleKinematics out;
+    out.position.resize(n);
+    out.displacement.resize(n);
+    out.velocity.resize(n);
+    out.angular_velocity.resize(n);
+    out.radius.resize(n);
+    out.mass.resize(n);
+    out.held.assign(n, 0);
+    for (std::size_t grip = 0; grip < self->held.size(); ++grip)
+      for (const std::size_t i : self->held.grip(grip).particles)
+        out.held[i] = 1;
+    for (std::size_t i = 0; i < n; ++i)
+      {
+        const auto to            = static_cast<std::size_t>(p.number[i]);
+        out.position[to]         = p.position_of(i);
+        out.displacement[to]     = p.position_of(i) - Eigen::Vector3d(&p.reference[3 * i]);
+        out.velocity[to]         = Eigen::Vector3d(&p.velocity[record_size * i]) + p.cell.gradient() * p.position_of(i);
+        out.angular_velocity[to] = Eigen::Vector3d(&p.velocity[record_size * i + 3]);
+        out.radius[to]           = p.radius_of(i);
+        out.mass[to]             = self->mass_of(i);
+      }
+    return out;
+  }
+
+  ParticleOutput ObservedSpecimen::particles() const
+  {
+    ParticleOutput out;
+    static_cast<ParticleKinematics &>(out) = kinematics();
+    const Particles             &p         = self->particles;
+    const std::size_t            n         = p.count;
     std::vector<double>          damage(n, 0.0);
     std::vector<Eigen::Matrix3d> moments(n, Eigen::Matrix3d::Zero());
     const bool                   in_parts = !self->has_all_links();
@@ -233,8 +263,9 @@ namespace dem
         if (self->bonds.is_broken(l))
           return;
         reader.read(l);
-        damage[self->bonds.first[l]] += reader.damage().stiffness;
-        damage[self->bonds.second[l]] += reader.damage().stiffness;
+        const double lost = reader.damage().stiffness;
+        damage[self->bonds.first[l]] += lost;
+        damage[self->bonds.second[l]] += lost;
       });
     if (in_parts) // else this process may read alone
       {
@@ -249,36 +280,19 @@ namespace dem
         if (glue.is_alive(bond))
           moments[static_cast<std::size_t>(glue.particle_of(bond))] += glue.branch(bond) * glue.force(bond).transpose();
 
-    ParticleOutput out;
-    out.position.resize(n);
-    out.displacement.resize(n);
-    out.velocity.resize(n);
-    out.angular_velocity.resize(n);
-    out.radius.resize(n);
-    out.mass.resize(n);
     out.damage.resize(n);
     out.broken_links.resize(n);
     out.volume.resize(n);
-    out.held.assign(n, 0);
     out.stress.resize(n);
     out.material.resize(p.material.size());
-    for (std::size_t grip = 0; grip < self->held.size(); ++grip)
-      for (const std::size_t i : self->held.grip(grip).particles)
-        out.held[i] = 1;
     for (std::size_t i = 0; i < n; ++i)
       {
         const std::size_t     to     = static_cast<std::size_t>(p.number[i]);
         const double          space  = self->space_per_solid * p.cell.deformation().determinant(); // 1 without a cell
         const double          volume = space * self->shape.volume(p.radius_of(i));
         const Eigen::Matrix3d moment = moments[i] / volume;
-        out.position[to]             = p.position_of(i);
-        out.displacement[to]         = p.position_of(i) - Eigen::Vector3d(&p.reference[3 * i]);
-        out.velocity[to]         = Eigen::Vector3d(&p.velocity[record_size * i]) + p.cell.gradient() * p.position_of(i);
-        out.angular_velocity[to] = Eigen::Vector3d(&p.velocity[record_size * i + 3]);
-        out.radius[to]           = p.radius_of(i);
-        out.mass[to]             = self->mass_of(i);
-        out.damage[to]           = p.made_links[i] > 0 ? (damage[i] + p.broken_links[i]) / p.made_links[i] : 0.0;
-        out.broken_links[to]     = p.broken_links[i];
+        out.damage[to]               = p.made_links[i] > 0 ? (damage[i] + p.broken_links[i]) / p.made_links[i] : 0.0;
+        out.broken_links[to]         = p.broken_links[i];
         if (!p.material.empty())
           out.material[to] = p.material[i];
         out.volume[to] = volume;

@@ -43,10 +43,11 @@ namespace dem
     std::vector<RankWork> shares() const; ///< of the work, of each rank (Specimen::share_among()); empty: there is one
     std::size_t           bytes() const;  ///< memory held by particles, links and contacts
 
-    ParticleState   particle(std::size_t number) const; ///< by packing number
-    double          mass(std::size_t particle) const;   ///< likewise; of a pebble its part of its clump's [kg]
-    ParticleOutput  particles() const;
-    LinkOutput      links() const;
+    ParticleState      particle(std::size_t number) const; ///< by packing number
+    double             mass(std::size_t particle) const;   ///< likewise; of a pebble its part of its clump's [kg]
+    ParticleKinematics kinematics() const;
+    ParticleOutput     particles() const; ///< reads all links, where kinematics() reads none
+    LinkOutput         links() const;
     Eigen::Vector3d displacement(std::size_t particle) const; ///< of a particle, by packing number, since the start [m]
     double          stiffness_around(std::size_t particle) const; ///< of its links and contacts, as (5.1) has it [N/m]
     ElasticNetwork  network() const; ///< the bonds as they lie now, undamaged; particles by packing number

@@ -25,16 +25,21 @@ namespace dem
     std::array<bool, 6> held;           ///< along x, y, z and about them: prescribed or not modelled
   };
 
-  /** One particle as an observer sees it; tensors are row-major. Order: the packing's. */
-  struct ParticleOutput
+  /** Where particles are and how they move, as an observer sees them. Order: the packing's. */
+  struct ParticleKinematics
   {
     std::vector<Eigen::Vector3d> position, displacement, velocity, angular_velocity;
     std::vector<double>          radius;
-    std::vector<double>          mass;   ///< [kg]; of a specimen in motion only
+    std::vector<double>          mass; ///< [kg]; of a specimen in motion only
+    std::vector<std::int32_t>    held; ///< 1: some of its motion is prescribed by a grip
+  };
+
+  /** Particles with what their links do to them; tensors are row-major. */
+  struct ParticleOutput : ParticleKinematics
+  {
     std::vector<double>          damage; ///< mean damage of the links it was made with, broken ones count as 1 [-]
     std::vector<std::int32_t>    broken_links; ///< how many of its cohesive links are gone
     std::vector<double>          volume;       ///< the particle's share of the specimen's volume, voids included [m^3]
-    std::vector<std::int32_t>    held;         ///< 1: some of its motion is prescribed by a grip
     std::vector<std::int32_t>    material;     ///< number of each particle's material; empty: there is one
     std::vector<Eigen::Matrix3d> stress;       ///< Love-Weber, symmetric part, over the particle's share of volume [Pa]
   };

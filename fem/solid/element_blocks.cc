@@ -6,19 +6,31 @@ namespace fem
 {
   namespace
   {
-    /// One number of every element of a group: a vector of the processor, or several where it has shorter ones.
+    // Bytes of the processor's vectors. A wider one is no vector to the compiler, but memory: every operation would store its result.
+#if defined(__AVX512F__)
+    constexpr std::size_t vector_bytes = 64;
+#elif defined(__AVX__)
+    constexpr std::size_t vector_bytes = 32;
+#else
+    constexpr std::size_t vector_bytes = 16;
+#endif
+
+    /// One number of the elements of a group, or of as many of them as a vector of the processor has room for.
     template <typename Number>
     struct Group
     {
-      typedef Number Wide __attribute__((vector_size(64), may_alias));
+      typedef Number Wide __attribute__((vector_size(vector_bytes), may_alias));
     };
     template <typename Number>
     using Wide = typename Group<Number>::Wide;
-
     template <typename Number>
-    inline const Wide<Number> *wide(const Number *p)
+    constexpr std::size_t width = vector_bytes / sizeof(Number); ///< elements that are treated at once
+
+    /// The k-th number from there on, each of which has a place for every lane.
+    template <typename Number>
+    inline const Wide<Number> &number_at(const Number *p, const std::size_t k)
     {
-      return reinterpret_cast<const Wide<Number> *>(p);
+      return *reinterpret_cast<const Wide<Number> *>(p + k * ElementBlocksOf<Number>::lanes);
     }
 
     template <int dim, typename Number>
@@ -71,7 +83,7 @@ namespace fem
     template <typename Number>
     inline void gather(const unsigned int *dofs, const Number *u, Wide<Number> &value)
     {
-      for (std::size_t l = 0; l < ElementBlocksOf<Number>::lanes; ++l)
+      for (std::size_t l = 0; l < width<Number>; ++l)
         value[l] = u[dofs[l]];
     }
 
@@ -80,7 +92,7 @@ namespace fem
     inline void scatter(const unsigned int *dofs, const Wide<Number> *values, const unsigned int n, Number *f)
     {
       constexpr std::size_t lanes = ElementBlocksOf<Number>::lanes;
-      for (std::size_t l = 0; l < lanes; ++l)
+      for (std::size_t l = 0; l < width<Number>; ++l)
         for (unsigned int i = 0; i < n; ++i)
           f[dofs[i * lanes + l]] += values[i][l];
     }
@@ -92,9 +104,10 @@ namespace fem
       constexpr unsigned int most  = fixed_nodes > 0 ? fixed_nodes : 27;
       const unsigned int     nodes = fixed_nodes > 0 ? fixed_nodes : e.n_nodes;
       Wide<Number>           local[most * dim], force[most * dim];
-      for (std::size_t b = 0; b < e.n_blocks; ++b)
+      for (std::size_t group = 0; group < e.n_blocks * lanes; group += width<Number>)
         {
-          const unsigned int *dofs = &e.dofs[b * nodes * dim * lanes];
+          const std::size_t   b = group / lanes, lane = group % lanes;
+          const unsigned int *dofs = &e.dofs[b * nodes * dim * lanes + lane];
           for (unsigned int i = 0; i < nodes * dim; ++i)
             {
               gather(dofs + i * lanes, u, local[i]);
@@ -102,17 +115,17 @@ namespace fem
             }
           for (unsigned int q = 0; q < e.n_points; ++q)
             {
-              const Wide<Number> *g           = wide(&e.gradients[(b * e.n_points + q) * nodes * dim * lanes]);
-              Wide<Number>        h[dim][dim] = {};
+              const Number *g           = &e.gradients[(b * e.n_points + q) * nodes * dim * lanes + lane];
+              Wide<Number>  h[dim][dim] = {};
               for (unsigned int a = 0; a < nodes; ++a)
                 for (int c = 0; c < dim; ++c)
                   for (int d = 0; d < dim; ++d)
-                    h[c][d] += local[a * dim + c] * g[a * dim + d];
-              stress_of<dim>(e, *wide(&e.weights[(b * e.n_points + q) * lanes]), h);
+                    h[c][d] += local[a * dim + c] * number_at(g, a * dim + d);
+              stress_of<dim>(e, number_at(&e.weights[lane], b * e.n_points + q), h);
               for (unsigned int a = 0; a < nodes; ++a)
                 for (int c = 0; c < dim; ++c)
                   for (int d = 0; d < dim; ++d)
-                    force[a * dim + c] += h[c][d] * g[a * dim + d];
+                    force[a * dim + c] += h[c][d] * number_at(g, a * dim + d);
             }
           scatter(dofs, force, nodes * dim, f);
         }
@@ -164,9 +177,10 @@ namespace fem
     {
       constexpr std::size_t lanes = ElementBlocksOf<Number>::lanes;
       Wide<Number>          node[3][8], g[3][3][4], t[3][3][4], force[24];
-      for (std::size_t b = 0; b < e.n_blocks; ++b)
+      for (std::size_t group = 0; group < e.n_blocks * lanes; group += width<Number>)
         {
-          const unsigned int *dofs = &e.dofs[b * 24 * lanes];
+          const std::size_t   b = group / lanes, lane = group % lanes;
+          const unsigned int *dofs = &e.dofs[b * 24 * lanes + lane];
           for (int a = 0; a < 8; ++a)
             for (int c = 0; c < 3; ++c)
               gather(dofs + (3 * a + c) * lanes, u, node[c][a]);
@@ -180,17 +194,19 @@ namespace fem
 #pragma GCC unroll 8
           for (int q = 0; q < 8; ++q)
             {
-              const int           at[3]  = {q >> 1, (q & 1) + 2 * (q >> 2), q & 3};
-              const std::size_t   stored = one_jacobian ? b : b * 8 + q;
-              const Wide<Number> *j      = wide(&e.jacobians[stored * 9 * lanes]);
-              Wide<Number>        h[3][3];
+              const int         at[3]  = {q >> 1, (q & 1) + 2 * (q >> 2), q & 3};
+              const std::size_t stored = one_jacobian ? b : b * 8 + q;
+              const auto        j      = [from = &e.jacobians[stored * 9 * lanes + lane]](const int k) {
+                return number_at(from, static_cast<std::size_t>(k));
+              };
+              Wide<Number> h[3][3];
               for (int c = 0; c < 3; ++c)
                 for (int d = 0; d < 3; ++d)
-                  h[c][d] = g[c][0][at[0]] * j[d] + g[c][1][at[1]] * j[3 + d] + g[c][2][at[2]] * j[6 + d];
-              stress_of<3>(e, *wide(&e.weights[stored * lanes]), h);
+                  h[c][d] = g[c][0][at[0]] * j(d) + g[c][1][at[1]] * j(3 + d) + g[c][2][at[2]] * j(6 + d);
+              stress_of<3>(e, number_at(&e.weights[lane], stored), h);
               for (int c = 0; c < 3; ++c)
                 for (int d = 0; d < 3; ++d)
-                  t[c][d][at[d]] += h[c][0] * j[3 * d] + h[c][1] * j[3 * d + 1] + h[c][2] * j[3 * d + 2];
+                  t[c][d][at[d]] += h[c][0] * j(3 * d) + h[c][1] * j(3 * d + 1) + h[c][2] * j(3 * d + 2);
             }
           for (int c = 0; c < 3; ++c)
             {

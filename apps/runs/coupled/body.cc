@@ -22,6 +22,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <utility>
 
 namespace apps
 {
@@ -105,15 +106,15 @@ namespace apps
 
       std::vector<postprocess::SeriesColumn> columns() const override { return series.columns(); }
       std::vector<postprocess::SeriesColumn> reported() const override { return series.reported(); }
-      std::vector<double>                    row() const override { return series.row(time()); }
 
-      void watch() override
+      std::vector<double> row() override
       {
-        ContinuumEnergy continuum;
-        continuum.internal = motion->energy().internal;
-        probes.read({&motion->displacement(), &motion->internal_force(), &motion->external_force()}, continuum);
-        energies.update({time(), motion->energy(), body.specimen().energy(), continuum.dissipated});
+        CoupledRow now = series.row(time());
+        of_last_row    = now.energies;
+        return std::move(now.values);
       }
+
+      void watch() override { energies.update(of_last_row); }
 
       void push(const OutsideForces &forces) override
       {
@@ -258,6 +259,7 @@ namespace apps
       ContinuumProbes<dim>                      probes;
       CoupledSeries<dim>                        series;
       ContactFigures                            figures;
+      CoupledEnergies                           of_last_row;
       EnergyWatch<dim>                          energies;
       std::int64_t                              window_count = 0;
     };

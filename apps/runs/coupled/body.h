@@ -51,8 +51,8 @@ namespace apps
     virtual void advance(std::int64_t windows) = 0;
 
     virtual std::vector<postprocess::SeriesColumn> columns() const = 0; ///< of the series; the first is the time
-    virtual std::vector<double>                    row() const     = 0;
-    /** Note the energies of now. @throws StoppedShort as EnergyWatch */
+    virtual std::vector<double>                    row()           = 0;
+    /** Note the energies of the last row. @throws StoppedShort as EnergyWatch */
     virtual void watch() = 0;
     /** Columns that the summary reports, with their units. */
     virtual std::vector<postprocess::SeriesColumn> reported() const = 0;

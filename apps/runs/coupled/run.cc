@@ -159,7 +159,7 @@ namespace apps
                               series,
                               wall_seconds,
                               left_out_of_balance(*model.particles.materials(packing).bonds(model.particles.physics),
-                                                  body->particles().specimen().particles().radius)};
+                                                  body->particles().specimen().kinematics().radius)};
     return {found.summary(), found.text(),
             std::shared_ptr<const dem::ObservedSpecimen>(body, &body->particles().specimen())};
   }

@@ -70,7 +70,7 @@ namespace apps
   }
 
   template <int dim>
-  std::vector<double> CoupledSeries<dim>::row(const double time) const
+  CoupledRow CoupledSeries<dim>::row(const double time) const
   {
     const dem::ObservedSpecimen &specimen = from.body.specimen();
     const fem::ExplicitEnergy    s        = from.motion.energy();
@@ -117,7 +117,7 @@ namespace apps
     p.each([&](const std::string_view, const double value) { values.push_back(value); });
     // What went into one side by the other is no energy from outside.
     values.push_back(s.external + s.start - s.kinetic - s.internal - s.damped + p.residual() - made);
-    return values;
+    return {values, {time, s, p, continuum.dissipated}};
   }
 
   template <int dim>

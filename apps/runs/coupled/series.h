@@ -2,6 +2,7 @@
 
 #include "apps/runs/continuum/contacts.h"
 #include "apps/runs/continuum/probes.h"
+#include "apps/runs/coupled/energy_watch.h"
 #include "apps/runs/coupled/model.h"
 #include "apps/runs/particles/body.h"
 #include "coupling/concurrent/concurrent_motion.h"
@@ -25,6 +26,12 @@ namespace apps
     const ContinuumProbes<dim>            &probes;
   };
 
+  struct CoupledRow
+  {
+    std::vector<double> values;
+    CoupledEnergies     energies; ///< of the same moment: to find them, all links are gone through
+  };
+
   /** The series of particles and a solid that are coupled: its columns, and a row of now. */
   template <int dim>
   class CoupledSeries
@@ -38,7 +45,7 @@ namespace apps
     std::vector<postprocess::SeriesColumn> columns() const; ///< the first is the time
     /** Those that the summary reports. */
     std::vector<postprocess::SeriesColumn> reported() const;
-    std::vector<double>                    row(double time) const;
+    CoupledRow                             row(double time) const;
 
   private:
     std::int64_t       torn_glue() const; ///< of all couplings, since the start

@@ -155,8 +155,8 @@ namespace apps
     std::vector<double> values;
     if (model->probes.probes.empty())
       return values;
-    const dem::ParticleOutput particles = body.particles();
-    const ProbedBody          seen{body, particles, motion, groups, walls};
+    const dem::ParticleKinematics particles = body.kinematics();
+    const ProbedBody              seen{body, particles, motion, groups, walls};
     for (const ProbeSection &probe : model->probes.probes)
       values.push_back(value_of(probe, seen));
     return values;

@@ -25,7 +25,7 @@ namespace apps
 
     double mean_radius(const dem::ObservedSpecimen &specimen)
     {
-      const std::vector<double> radius = specimen.particles().radius;
+      const std::vector<double> radius = specimen.kinematics().radius;
       return std::accumulate(radius.begin(), radius.end(), 0.0) / static_cast<double>(radius.size());
     }
   } // namespace

@@ -76,11 +76,11 @@ namespace apps
   /** The state of a specimen at one moment, as all probes read it. */
   struct ProbedBody
   {
-    const dem::ObservedSpecimen &specimen;
-    const dem::ParticleOutput   &particles;
-    const PrescribedMotion      &motion;
-    const ParticleGroups        &groups;
-    const Walls                 &walls;
+    const dem::ObservedSpecimen   &specimen;
+    const dem::ParticleKinematics &particles;
+    const PrescribedMotion        &motion;
+    const ParticleGroups          &groups;
+    const Walls                   &walls;
   };
 
   /** Value of a probe. Means over a group are those of its centre of mass; a rigid body counts as one. */

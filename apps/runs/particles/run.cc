@@ -32,7 +32,7 @@ namespace apps
     dem::Packing at_end(const dem::Packing &packing, const dem::ObservedSpecimen &specimen)
     {
       dem::Packing now = packing;
-      now.centre       = specimen.particles().position;
+      now.centre       = specimen.kinematics().position;
       const auto first = specimen.clumps().size() - packing.bodies.size(); // others come from the scene
       for (std::size_t b = 0; b < packing.bodies.size(); ++b)
         {
@@ -317,7 +317,7 @@ namespace apps
       start,
       series,
       wall_seconds,
-      left_out_of_balance(*model.materials(packing).bonds(model.physics), body->specimen().particles().radius),
+      left_out_of_balance(*model.materials(packing).bonds(model.physics), body->specimen().kinematics().radius),
       slow ? slow->test() : nullptr,
       exchange.get()};
     return {found.summary(), grown_text + found.text(),

@@ -44,9 +44,9 @@ namespace apps
     /** By the damage of bonds so far, half way between where their ends were at the start. */
     SpreadAmount dissipated_by_links(const dem::ObservedSpecimen &specimen)
     {
-      const dem::ParticleOutput particles = specimen.particles();
-      const dem::LinkOutput     links     = specimen.links();
-      SpreadAmount              sum;
+      const dem::ParticleKinematics particles = specimen.kinematics();
+      const dem::LinkOutput         links     = specimen.links();
+      SpreadAmount                  sum;
       for (std::size_t l = 0; l < links.ends.size(); ++l)
         {
           Eigen::Vector3d place = Eigen::Vector3d::Zero();

@@ -85,7 +85,7 @@ namespace apps
   std::string UniaxialReport::not_in_balance() const
   {
     return left_out_of_balance(*model.mixed().materials(test.materials.names).bonds(model.physics),
-                               test.body().particles().radius);
+                               test.body().kinematics().radius);
   }
 
   std::string UniaxialReport::draw_curve(const std::filesystem::path &file) const

@@ -30,9 +30,9 @@ namespace apps
   {
     if (!(stress > 0) || (!notes.empty() && !(stress > growth * notes[notes.size() - note_length])))
       return;
-    const dem::ParticleOutput now  = specimen.particles();
-    const int                 dims = specimen.parameters().physics.dimension;
-    double                    low = 1e300, high = -1e300;
+    const dem::ParticleKinematics now  = specimen.kinematics();
+    const int                     dims = specimen.parameters().physics.dimension;
+    double                        low = 1e300, high = -1e300;
     const auto place = [&](const std::size_t i, const int d) { return now.position[i][d] - now.displacement[i][d]; };
     for (std::size_t i = 0; i < now.position.size(); ++i)
       {
