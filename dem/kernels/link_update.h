@@ -231,6 +231,8 @@ namespace dem::link_update
   {
     const auto &laws        = static_cast<const LinkLawOf<typename P::Law> &>(law);
     const auto [first, end] = links.parts_between(lines);
+    if (end - first == 1) // to make a team of threads, even of one, takes longer than the links of few particles
+      return update_block<P>(links, particles, laws, links.part(first), lines.first_column);
 #pragma omp parallel for schedule(static)
     for (std::ptrdiff_t p = first; p < end; ++p)
       update_block<P>(links, particles, laws, links.part(p), lines.first_column);

@@ -5,7 +5,6 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
-#include <map>
 #include <set>
 
 namespace dem
@@ -13,16 +12,6 @@ namespace dem
   namespace
   {
     using Eigen::Vector3d;
-
-    /** Area vectors that particles have to bear [m^2]. */
-    using Shares = std::map<std::int32_t, Vector3d>;
-
-    void share(Shares &shares, const std::int32_t particle, const Vector3d &area)
-    {
-      const auto [place, added] = shares.try_emplace(particle, area);
-      if (!added)
-        place->second += area;
-    }
 
     /** From a particle straight to the platen that is nearer. */
     Vector3d to_platen(const Vector3d &place, const EndPlanes &ends)
@@ -32,44 +21,32 @@ namespace dem
       return there;
     }
 
-    /** Where a chain ends it goes on to the platen. */
-    void add_ends_of_chain(Shares                                 &shares,
-                           const Hull                             &hull,
-                           const std::map<std::int32_t, Vector3d> &place,
-                           const EndPlanes                        &ends)
+    /** Where a chain ends it goes on to the platen. @param goes_on how many segments more begin at a corner than end there */
+    void add_ends_of_chain(std::vector<Vector3d>       &share,
+                           const std::vector<Vector3d> &place,
+                           const std::vector<int>      &goes_on,
+                           const EndPlanes             &ends)
     {
-      std::map<std::int32_t, int> goes_on; // as many segments begin here as end
-      for (const auto &facet : hull.facet)
+      for (std::size_t i = 0; i < place.size(); ++i)
         {
-          ++goes_on[facet[0]];
-          --goes_on[facet[1]];
-        }
-      for (const auto &[particle, more] : goes_on)
-        {
-          const Vector3d edge = more * (place.at(particle) - to_platen(place.at(particle), ends));
-          share(shares, particle, {edge[1], -edge[0], 0});
+          const Vector3d edge = goes_on[i] * (place[i] - to_platen(place[i], ends));
+          share[i] += Vector3d(edge[1], -edge[0], 0);
         }
     }
 
     /** The same of the border of triangles. */
-    void add_ends_of_triangles(Shares                                 &shares,
-                               const Hull                             &hull,
-                               const std::map<std::int32_t, Vector3d> &place,
-                               const EndPlanes                        &ends)
+    void add_ends_of_triangles(std::vector<Vector3d>                         &share,
+                               const std::vector<Vector3d>                   &place,
+                               const std::vector<std::array<std::size_t, 2>> &border,
+                               const EndPlanes                               &ends)
     {
-      std::set<std::array<std::int32_t, 2>> edges;
-      for (const auto &facet : hull.facet)
-        for (std::size_t c = 0; c < 3; ++c)
-          edges.insert({facet[c], facet[(c + 1) % 3]});
-      for (const auto &[i, j] : edges)
+      for (const auto &[i, j] : border)
         {
-          if (edges.count({j, i}) > 0)
-            continue;
-          const Vector3d from = place.at(j), to = place.at(i), below_to = to_platen(to, ends),
+          const Vector3d from = place[j], to = place[i], below_to = to_platen(to, ends),
                          below_from = to_platen(from, ends);
           const Vector3d area = 0.5 * ((to - from).cross(below_to - from) + (below_to - from).cross(below_from - from));
-          share(shares, i, 0.5 * area);
-          share(shares, j, 0.5 * area);
+          share[i] += 0.5 * area;
+          share[j] += 0.5 * area;
         }
     }
   } // namespace
@@ -103,29 +80,58 @@ namespace dem
     if (hull.facet.empty())
       throw base::NumericalError("no particle of the specimen carries the membrane: there is no way around it for a "
                                  "ball of this size. Choose another Membrane ball.");
+    number_corners();
+  }
+
+  void Membrane::number_corners()
+  {
+    const auto corners = static_cast<std::size_t>(hull.corners);
+    particles.clear();
+    for (const auto &each : hull.facet)
+      particles.insert(particles.end(), each.begin(), each.begin() + hull.corners);
+    std::sort(particles.begin(), particles.end());
+    particles.erase(std::unique(particles.begin(), particles.end()), particles.end());
+    facet.assign(hull.facet.size(), {});
+    goes_on.assign(particles.size(), 0);
+    std::set<std::array<std::size_t, 2>> edges;
+    for (std::size_t f = 0; f < facet.size(); ++f)
+      {
+        for (std::size_t c = 0; c < corners; ++c)
+          facet[f][c] = static_cast<std::size_t>(
+            std::lower_bound(particles.begin(), particles.end(), hull.facet[f][c]) - particles.begin());
+        ++goes_on[facet[f][0]];
+        --goes_on[facet[f][1]];
+        if (corners == 3)
+          for (std::size_t c = 0; c < 3; ++c)
+            edges.insert({facet[f][c], facet[f][(c + 1) % 3]});
+      }
+    border.clear();
+    for (const auto &[i, j] : edges)
+      if (edges.count({j, i}) == 0)
+        border.push_back({i, j});
   }
 
   std::vector<Membrane::Push> Membrane::pushes(const double pressure, const EndPlanes &ends) const
   {
-    const auto                       corners = static_cast<std::size_t>(hull.corners);
-    std::map<std::int32_t, Vector3d> place;
-    for (const auto &facet : hull.facet)
-      for (std::size_t c = 0; c < corners; ++c)
-        if (place.count(facet[c]) == 0)
-          place[facet[c]] = specimen->particle(static_cast<std::size_t>(facet[c])).position;
-    Shares shares;
-    for (const auto &facet : hull.facet)
+    const auto            corners = static_cast<std::size_t>(hull.corners);
+    std::vector<Vector3d> place(particles.size()), share(particles.size(), Vector3d::Zero()); // areas to bear [m^2]
+    for (std::size_t i = 0; i < place.size(); ++i)
+      place[i] = specimen->particle(static_cast<std::size_t>(particles[i])).position;
+    for (const auto &each : facet)
       {
-        const Vector3d first = place[facet[0]], edge = place[facet[1]] - first;
+        const Vector3d first = place[each[0]], edge = place[each[1]] - first;
         const Vector3d area =
-          corners == 2 ? Vector3d(edge[1], -edge[0], 0) : Vector3d(0.5 * edge.cross(place[facet[2]] - first));
+          corners == 2 ? Vector3d(edge[1], -edge[0], 0) : Vector3d(0.5 * edge.cross(place[each[2]] - first));
         for (std::size_t c = 0; c < corners; ++c)
-          share(shares, facet[c], area / static_cast<double>(corners));
+          share[each[c]] += area / static_cast<double>(corners);
       }
-    (corners == 2 ? add_ends_of_chain : add_ends_of_triangles)(shares, hull, place, ends);
+    if (corners == 2)
+      add_ends_of_chain(share, place, goes_on, ends);
+    else
+      add_ends_of_triangles(share, place, border, ends);
     std::vector<Push> found;
-    for (const auto &[particle, area] : shares)
-      found.push_back({static_cast<std::size_t>(particle), -pressure * thickness * area});
+    for (std::size_t i = 0; i < share.size(); ++i)
+      found.push_back({static_cast<std::size_t>(particles[i]), -pressure * thickness * share[i]});
     return found;
   }
 
@@ -147,5 +153,6 @@ namespace dem
     hull.facet.resize(flat.size() / 3);
     for (std::size_t f = 0; f < hull.facet.size(); ++f)
       hull.facet[f] = {flat[3 * f], flat[3 * f + 1], flat[3 * f + 2]};
+    number_corners();
   }
 } // namespace dem

@@ -50,10 +50,17 @@ namespace dem
   private:
     /** Particles that lie at a platen: nearer to it than half their radius. */
     bool at_end(const Eigen::Vector3d &centre, double radius, const EndPlanes &ends) const;
+    /** What follows from the hull, and every step needs. */
+    void number_corners();
 
     Specimen *specimen;
     double    ball;
     double    thickness; ///< of discs [m]; 1 of spheres
     Hull      hull;
+
+    std::vector<std::int32_t>               particles; ///< that it touches, ascending
+    std::vector<std::array<std::size_t, 3>> facet;     ///< those of the hull by places in `particles`
+    std::vector<std::array<std::size_t, 2>> border;    ///< edges that no other triangle has, likewise
+    std::vector<int>                        goes_on; ///< of each particle: how many segments more begin there than end
   };
 } // namespace dem

@@ -49,7 +49,6 @@ namespace dem
   {
     const std::vector<std::size_t> &watched = *partner.particles;
     rates.resize(axes * watched.size());
-#pragma omp parallel for schedule(static)
     for (std::size_t k = 0; k < watched.size(); ++k)
       std::copy_n(&particles.velocity[record_size * static_cast<std::size_t>(slot.at(watched[k]))], axes,
                   &rates[axes * k]);

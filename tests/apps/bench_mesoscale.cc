@@ -1,4 +1,5 @@
 #include "apps/bench/beygi_mixes.h"
+#include "apps/text/value_text.h"
 #include "tests/apps/program.h"
 #include "tests/apps/scratch_folder.h"
 #include "tests/places.h"
@@ -42,6 +43,19 @@ TEST_CASE("the six concrete mixes have the published volumes, numbers and larges
     }
 }
 
+namespace
+{
+  /** Work of fracture in the row that begins so. */
+  double work_of(const std::string &csv, const std::string &row)
+  {
+    const std::size_t at = csv.find(row);
+    REQUIRE(at != std::string::npos);
+    const auto fields = apps::comma_separated(csv.substr(at + 1, csv.find('\n', at + 1) - at - 1));
+    REQUIRE(fields.size() > 7);
+    return apps::number_in(fields[7]).value();
+  }
+} // namespace
+
 TEST_CASE("bench mesoscale has a row per mix and geometry, ratios beside the published ones, and needs a mix",
           "[apps][slow]")
 {
@@ -61,6 +75,16 @@ TEST_CASE("bench mesoscale has a row per mix and geometry, ratios beside the pub
   CHECK_THAT(table, Contains("| l-9.5 | 0.1 |") && Contains("| 1 | 1 | 1 | 1 |"));
   CHECK_THAT(table, Contains("(1.149, 1.060)") && Contains("(0.935, 0.992)") && Contains("(1.257, 1.053)") &&
                       Contains("(1.344, 1.295)")); // experiment, simulation
+
+  // The same geometries, and the work of all of the curve's tail.
+  const Outcome followed = run(
+    folder.path(), {"bench", "mesoscale", scenes + "mesoscale_cube.prm", "--quick", "--work-until", "0.05", "-s",
+                    "Specimen/Generator/Particle radius=0.0022", "-s", "Loading/Grip thickness=0.0045", "-o", "tail"});
+  INFO(followed.err);
+  REQUIRE(followed.status == 0);
+  for (const char *row : {"\nl-9.5,0.1,1,", "\nl-19,0.1,1,"})
+    CHECK(work_of(content_of(folder / "tail/mesoscale.csv"), row) >
+          1.02 * work_of(content_of(folder / "bench/mesoscale.csv"), row));
 
   const Outcome refused = run(folder.path(), {"bench", "mesoscale", scenes + "quick_uniaxial.prm"});
   CHECK(refused.status == 2);

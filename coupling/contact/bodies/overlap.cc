@@ -92,17 +92,38 @@ namespace coupling::bodies
       return gone;
     }
 
-    /** The part below a plane. */
-    void cut(Polygon &polygon, const Plane &plane)
+    /** How far the corners of a polygon lie above a plane. */
+    struct Heights
     {
-      const bool            closed = polygon.count > 2;
-      std::array<double, 8> above{};
-      for (int k = 0; k < polygon.count; ++k)
-        above[k] = plane.above(polygon.corner[k]);
-      const std::array<bool, 8> gone = run_above(polygon, above);
-      if (std::none_of(gone.begin(), gone.end(), [](const bool each) { return each; }))
+      std::array<double, 8> of;
+      double                most = 0; ///< of all, or 0 where none is above
+      bool                  all = true, in_plane = true;
+
+      Heights(const Polygon &polygon, const Plane &plane)
+      {
+        for (int k = 0; k < polygon.count; ++k)
+          {
+            of[k]    = plane.above(polygon.corner[k]);
+            most     = std::max(most, of[k]);
+            all      = all && of[k] > 0;
+            in_plane = in_plane && !(std::fabs(of[k]) > plane.tolerance);
+          }
+      }
+    };
+
+    /** The part below a plane. */
+    void cut(Polygon &polygon, const Heights &above)
+    {
+      if (!(above.most > 0))
         return;
-      Polygon left;
+      if (above.all)
+        {
+          polygon.count = 0;
+          return;
+        }
+      const bool                closed = polygon.count > 2;
+      const std::array<bool, 8> gone   = run_above(polygon, above.of);
+      Polygon                   left;
       for (int k = 0; k < polygon.count; ++k)
         {
           const int next = (k + 1) % polygon.count;
@@ -110,19 +131,12 @@ namespace coupling::bodies
             left.add(polygon.corner[k]);
           if ((closed || next > k) && gone[k] != gone[next])
             {
-              const double part = above[k] / (above[k] - above[next]);
+              const double part = above.of[k] / (above.of[k] - above.of[next]);
               left.add(polygon.corner[k] + part * (polygon.corner[next] - polygon.corner[k]));
             }
         }
-      polygon = left;
-    }
-
-    bool lies_in(const Polygon &polygon, const Plane &plane)
-    {
-      for (int k = 0; k < polygon.count; ++k)
-        if (std::fabs(plane.above(polygon.corner[k])) > plane.tolerance)
-          return false;
-      return true;
+      std::copy_n(left.corner.begin(), left.count, polygon.corner.begin());
+      polygon.count = left.count;
     }
 
     /** Of a simplex of that number in its pair; pieces lie in a side of it. */
@@ -160,11 +174,12 @@ namespace coupling::bodies
           SideOf  of{second ? 1 : 0, side};
           for (int k = 0; k < other.count && polygon.count > 0; ++k)
             {
-              const Plane &plane = other.side[k];
-              if (lies_in(polygon, plane) && plane.normal.dot(own.side[side].normal) > 0)
+              const Plane  &plane = other.side[k];
+              const Heights above(polygon, plane);
+              if (above.in_plane && plane.normal.dot(own.side[side].normal) > 0)
                 of.twice = second;
               else
-                cut(polygon, plane);
+                cut(polygon, above);
             }
           if (polygon.count >= simplex.corners - 1)
             add_pieces(polygon, of, pieces);
