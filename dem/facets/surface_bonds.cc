@@ -119,6 +119,7 @@ namespace dem
 
         links.reference_length[b] = law->reference_length(links.pair_of(b), fresh);
         links.area[b]             = fresh.area;
+        links.living[b]           = fresh.area > 0;
         std::fill(row.begin(), row.end(), 0.0);
         law->begin(links.pair_of(b), fresh, row.data());
         links.set_history(b, row);
