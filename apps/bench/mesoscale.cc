@@ -4,6 +4,7 @@
 #include "apps/bench/results.h"
 #include "apps/bench/scene_variant.h"
 #include "apps/bench/uniaxial_table.h"
+#include "apps/results/run_work.h"
 #include "apps/runs/uniaxial/lab_test.h"
 #include "apps/runs/uniaxial/model.h"
 #include "base/stopwatch.h"
@@ -23,6 +24,7 @@ namespace apps
     using beygi::Ratios;
 
     constexpr std::array<const char *, beygi::properties> names = {"E", "f_t", "f_c", "G_f"};
+    constexpr double long_enough = 0.02; ///< strain in tension by which the stress has fallen far
 
     /** One geometry of one mix. */
     struct Specimen
@@ -48,6 +50,17 @@ namespace apps
       return work;
     }
 
+    /** A curve that ends before has not all of its work. @throws StoppedShort */
+    void require_fallen(const UniaxialResult &tension, const double part, const Specimen &specimen)
+    {
+      const double left = tension.stress.back() / *std::max_element(tension.stress.begin(), tension.stress.end());
+      if (!(left < part))
+        throw StoppedShort(
+          fmt::format("{}, seed {}: tension ends at a strain of {:.3g} with {:.3g} of the strength left, and "
+                      "the work of fracture is that until {}. Raise Loading/Tension/Stop strain.",
+                      specimen.mix->name, specimen.seed, tension.strain.back(), left, part));
+    }
+
     void run_test(const UniaxialModel &model, const dem::Packing &packing, const double work_until, Specimen &specimen)
     {
       UniaxialLabTest test(model, packing, 0);
@@ -61,6 +74,7 @@ namespace apps
           specimen.found[beygi::compression] = result.notes.figures.strength;
           return;
         }
+      require_fallen(result, work_until, specimen);
       specimen.found[beygi::modulus]  = result.notes.figures.young_modulus;
       specimen.found[beygi::tension]  = result.notes.figures.strength;
       specimen.found[beygi::fracture] = result.notes.gauge_length * work_until_fallen(result, work_until);
@@ -261,6 +275,7 @@ namespace apps
     if (!model.mix.given() || !model.source.has_box())
       refuse_scene(scene, "Specimen/Mix: this bench needs a box with a mix.");
     model.loading.tension.stop_fraction = std::min(model.loading.tension.stop_fraction, bench.work_until);
+    model.loading.tension.stop_strain   = std::max(model.loading.tension.stop_strain, long_enough);
     const BenchResults    results(bench.folder, "mesoscale");
     const auto            mixes = chosen_mixes(bench.mixes);
     std::vector<Specimen> all;
