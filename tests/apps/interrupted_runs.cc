@@ -20,9 +20,10 @@ namespace apps_tests
     }
 
     /** A run that is not stopped writes no checkpoints, which take most of its time where they are frequent, and change nothing. */
-    std::vector<std::string> without_checkpoints(std::vector<std::string> arguments)
+    std::vector<std::string> without_checkpoints(std::vector<std::string> arguments, const InterruptedRun &what)
     {
-      arguments.insert(arguments.end(), {"-s", "Output/Checkpoint interval=600"});
+      if (what.checkpoints_by_time)
+        arguments.insert(arguments.end(), {"-s", "Output/Checkpoint interval=600"});
       return arguments;
     }
 
@@ -75,7 +76,7 @@ namespace apps_tests
   void
   goes_on_to_the_same_bits(const ScratchFolder &folder, const InterruptedRun &what, const std::vector<int> &signals)
   {
-    const Outcome whole = run(folder.path(), without_checkpoints(into(what.arguments, "whole")));
+    const Outcome whole = run(folder.path(), without_checkpoints(into(what.arguments, "whole"), what));
     INFO(whole.err);
     REQUIRE(whole.status == apps::exit_success);
     for (const int signal : signals)
@@ -85,7 +86,7 @@ namespace apps_tests
         INFO(stopped.err);
         const std::vector<std::string> words = way_to_go_on(what, stopped, signal);
         CHECK_FALSE(std::filesystem::exists(folder / "results/summary.json"));
-        const Outcome resumed = run(folder.path(), without_checkpoints(words));
+        const Outcome resumed = run(folder.path(), without_checkpoints(words, what));
         INFO(resumed.err);
         REQUIRE(resumed.status == apps::exit_success);
         CHECK(what.reproducible_part(folder / "results") == what.reproducible_part(folder / "whole"));

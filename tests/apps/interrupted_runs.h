@@ -18,6 +18,8 @@ namespace apps_tests
 
     /** What must be equal to the last bit in two output folders. */
     std::function<std::string(const std::filesystem::path &)> reproducible_part;
+
+    bool checkpoints_by_time = true; ///< its scene has the entry Output/Checkpoint interval
   };
 
   /** Starts it with the output folder "results", and sends the signal as soon as what is awaited is there. */

@@ -318,7 +318,8 @@ TEST_CASE("An interrupted sequential run leaves its states and goes on to the sa
     return text;
   };
   goes_on_to_the_same_bits(
-    folder, {small({"run", scene}, "-8e-4, -1.6e-3, -2.2e-3"), {"states/state_001_figures.h5"}, all_of_it}, {SIGINT});
+    folder, {small({"run", scene}, "-8e-4, -1.6e-3, -2.2e-3"), {"states/state_001_figures.h5"}, all_of_it, false},
+    {SIGINT});
 }
 
 TEST_CASE("Mesh, length, area and columns that do not belong to the particles are refused before anything runs",
