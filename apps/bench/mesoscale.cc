@@ -4,9 +4,9 @@
 #include "apps/bench/results.h"
 #include "apps/bench/scene_variant.h"
 #include "apps/bench/uniaxial_table.h"
-#include "apps/results/run_work.h"
 #include "apps/runs/uniaxial/lab_test.h"
 #include "apps/runs/uniaxial/model.h"
+#include "base/errors.h"
 #include "base/stopwatch.h"
 
 #include <fmt/format.h>
@@ -50,15 +50,15 @@ namespace apps
       return work;
     }
 
-    /** A curve that ends before has not all of its work. @throws StoppedShort */
-    void require_fallen(const UniaxialResult &tension, const double part, const Specimen &specimen)
+    /** A curve that its stop strain has ended has not all of its work. @throws base::InputError */
+    void require_fallen(const UniaxialResult &tension, const double stop_strain, const Specimen &specimen)
     {
-      const double left = tension.stress.back() / *std::max_element(tension.stress.begin(), tension.stress.end());
-      if (!(left < part))
-        throw StoppedShort(
-          fmt::format("{}, seed {}: tension ends at a strain of {:.3g} with {:.3g} of the strength left, and "
-                      "the work of fracture is that until {}. Raise Loading/Tension/Stop strain.",
-                      specimen.mix->name, specimen.seed, tension.strain.back(), left, part));
+      if (tension.strain.back() >= stop_strain)
+        throw base::InputError(fmt::format(
+          "Loading/Tension/Stop strain = {:.3g}: there {}, seed {}, still bears {:.3g} of its strength, more than that "
+          "until which the work of fracture is counted. Raise it.",
+          stop_strain, specimen.mix->name, specimen.seed,
+          tension.stress.back() / *std::max_element(tension.stress.begin(), tension.stress.end())));
     }
 
     void run_test(const UniaxialModel &model, const dem::Packing &packing, const double work_until, Specimen &specimen)
@@ -74,7 +74,7 @@ namespace apps
           specimen.found[beygi::compression] = result.notes.figures.strength;
           return;
         }
-      require_fallen(result, work_until, specimen);
+      require_fallen(result, model.loading.tension.stop_strain, specimen);
       specimen.found[beygi::modulus]  = result.notes.figures.young_modulus;
       specimen.found[beygi::tension]  = result.notes.figures.strength;
       specimen.found[beygi::fracture] = result.notes.gauge_length * work_until_fallen(result, work_until);
