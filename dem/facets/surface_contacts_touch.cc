@@ -83,32 +83,23 @@ namespace dem
       if (near.within_reach(k))
         active.push_back(k);
     std::vector<Block> blocks((active.size() + particles_per_piece - 1) / particles_per_piece);
-    const auto         pieces      = static_cast<std::ptrdiff_t>(blocks.size());
-    const auto         touch_piece = [&](const std::ptrdiff_t b, Room &room) {
-      Block            &block = blocks[static_cast<std::size_t>(b)];
-      const std::size_t from  = static_cast<std::size_t>(b) * particles_per_piece,
-                        to    = std::min(from + particles_per_piece, active.size());
-      block.room              = &room;
-      block.contacts.reserve(to - from);
-      block.parts.reserve(corners_of_most * (to - from));
-      for (std::size_t k = from; k < to; ++k)
-        touch(particles, shape, active[k], block);
-    };
-    if (pieces == 1) // no team of threads
-      {
-        Room room;
-        touch_piece(0, room);
-      }
-    else if (pieces > 1)
-      {
-#pragma omp parallel
-        {
-          Room room;
+    const auto         pieces = static_cast<std::ptrdiff_t>(blocks.size());
+#pragma omp parallel if (pieces > 1)
+    {
+      Room room;
 #pragma omp for schedule(static)
-          for (std::ptrdiff_t b = 0; b < pieces; ++b)
-            touch_piece(b, room);
+      for (std::ptrdiff_t b = 0; b < pieces; ++b)
+        {
+          Block            &block = blocks[static_cast<std::size_t>(b)];
+          const std::size_t from  = static_cast<std::size_t>(b) * particles_per_piece,
+                            to    = std::min(from + particles_per_piece, active.size());
+          block.room              = &room;
+          block.contacts.reserve(to - from);
+          block.parts.reserve(corners_of_most * (to - from));
+          for (std::size_t k = from; k < to; ++k)
+            touch(particles, shape, active[k], block);
         }
-      }
+    }
     settle(gathered(blocks, particles), particles, shape);
   }
 
