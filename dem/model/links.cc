@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace dem
 {
@@ -162,31 +163,47 @@ namespace dem
 
   void LinkSet::tabulate(const std::size_t particles)
   {
-    in_parts              = false;
-    const auto is_padding = [&](const std::size_t l) { return first[l] == static_cast<std::int32_t>(particles); };
-    own_begin.assign(particles + 1, 0);
-    other_begin.assign(particles + 1, 0);
-    for (std::size_t l = 0; l < count; ++l)
-      if (!is_padding(l))
-        {
-          ++own_begin[first[l] + 1];
-          ++other_begin[second[l] + 1];
-        }
-    for (std::size_t i = 0; i < particles; ++i)
-      {
-        own_begin[i + 1] += own_begin[i];
-        other_begin[i + 1] += other_begin[i];
-      }
-    const auto list = [&](const std::vector<std::int32_t> &begin, const std::vector<std::int32_t> &ends) {
-      std::vector<std::int32_t> links(count - padding), next(begin.begin(), begin.end() - 1);
-      for (std::size_t l = 0; l < count; ++l)
-        if (!is_padding(l))
-          links[next[ends[l]]++] = static_cast<std::int32_t>(l);
-      return links;
-    };
-    others = list(other_begin, second);
+    in_parts  = false;
+    own_begin = begins_of(first, particles);
     if (!kinds.empty())
-      owned = list(own_begin, first);
+      owned = listed_by(first, own_begin);
+    list_others();
+  }
+
+  void LinkSet::list_others()
+  {
+    other_begin = begins_of(second, own_begin.size() - 1);
+    others      = listed_by(second, other_begin);
+  }
+
+  void LinkSet::keep_others_of(const std::int32_t from, const std::int32_t to)
+  {
+    const std::int32_t begin = other_begin[static_cast<std::size_t>(from)],
+                       end   = other_begin[static_cast<std::size_t>(to)];
+    others = std::vector<std::int32_t>(others.begin() + begin, others.begin() + end); // the memory of the rest goes
+    for (std::int32_t &at : other_begin)
+      at = std::clamp(at, begin, end) - begin;
+  }
+
+  /** Where the links of each particle begin in a list of them by one of their ends. */
+  std::vector<std::int32_t> LinkSet::begins_of(const std::vector<std::int32_t> &ends, const std::size_t particles) const
+  {
+    std::vector<std::int32_t> begin(particles + 1, 0);
+    for (std::size_t l = 0; l < count; ++l)
+      if (!is_padding(l, particles))
+        ++begin[static_cast<std::size_t>(ends[l]) + 1];
+    std::partial_sum(begin.begin(), begin.end(), begin.begin());
+    return begin;
+  }
+
+  std::vector<std::int32_t> LinkSet::listed_by(const std::vector<std::int32_t> &ends,
+                                               const std::vector<std::int32_t> &begin) const
+  {
+    std::vector<std::int32_t> links(count - padding), next(begin.begin(), begin.end() - 1);
+    for (std::size_t l = 0; l < count; ++l)
+      if (!is_padding(l, next.size()))
+        links[static_cast<std::size_t>(next[static_cast<std::size_t>(ends[l])]++)] = static_cast<std::int32_t>(l);
+    return links;
   }
 
   void LinkSet::copy_line(const LinkSet &source, const std::size_t from, const std::size_t to)
@@ -354,7 +371,7 @@ namespace dem
       visitor.column(name + "/pair", pair);
     visitor.column(name + "/reference_length", reference_length);
     visitor.column(name + "/area", area);
-    if (!in_parts) // else states are only written, and not all areas known
+    if (!in_parts)
       find_living();
     if (logs_breaks)
       visitor.column(name + "/noted", noted);
@@ -390,6 +407,8 @@ namespace dem
       }
     if (periodic)
       stress_moments.assign(stress_record * accounts.size(), 0.0); // of the step to come
+    if (in_parts)
+      return; // states of parts are only written
     padding = static_cast<std::size_t>(std::count(first.begin(), first.begin() + static_cast<std::ptrdiff_t>(count),
                                                   static_cast<std::int32_t>(particles)));
     tabulate(particles);

@@ -149,6 +149,10 @@ namespace dem
     void set_history(std::size_t link, const std::vector<double> &row);
     /** Sort out which links belong to which particle; from now on all are updated. @pre links of each law sorted by (first, second) */
     void tabulate(std::size_t particles);
+    /** The part of it that is about second ends. */
+    void list_others();
+    /** From now on only particles from .. to - 1 know the links of which they are the second end; of others none is listed. */
+    void keep_others_of(std::int32_t from, std::int32_t to);
     /** Copy line `from` of another set to line `to` of this one. */
     void copy_line(const LinkSet &source, std::size_t from, std::size_t to);
     /** Drop deleted lines (order kept); what the blocks have summed up so far moves to the first. */
@@ -161,6 +165,13 @@ namespace dem
     /** Lines from there on are no links. */
     void pad(std::size_t from, std::size_t particles);
     void find_living();
+    bool is_padding(const std::size_t l, const std::size_t particles) const
+    {
+      return first[l] == static_cast<std::int32_t>(particles);
+    }
+    std::vector<std::int32_t> begins_of(const std::vector<std::int32_t> &ends, std::size_t particles) const;
+    std::vector<std::int32_t> listed_by(const std::vector<std::int32_t> &ends,
+                                        const std::vector<std::int32_t> &begin) const;
   };
 
   /** Particles that the lines of some parts end in, ascending; lines of padding end in none. */

@@ -20,17 +20,9 @@ namespace dem
   GatheredState::GatheredState(SpecimenCore &core_, base::StateVisitor &inner_)
     : core(core_)
     , inner(inner_)
-    , bonds_in_parts(core.bonds.in_parts)
-    , contacts_in_parts(core.contacts.in_parts)
   {
     core.gather_accounts();
     core.gather_glide();
-  }
-
-  GatheredState::~GatheredState()
-  {
-    core.bonds.in_parts    = bonds_in_parts;
-    core.contacts.in_parts = contacts_in_parts;
   }
 
   void GatheredState::column(const std::string &name, base::Column &values)

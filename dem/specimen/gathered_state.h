@@ -15,9 +15,6 @@ namespace dem
   public:
     /** @pre core.shares() */
     GatheredState(SpecimenCore &core, base::StateVisitor &inner);
-    ~GatheredState() override;
-    GatheredState(const GatheredState &)            = delete;
-    GatheredState &operator=(const GatheredState &) = delete;
 
     void column(const std::string &name, base::Column &values) override;
     void column(const std::string &name, std::vector<std::int32_t> &values) override { inner.column(name, values); }
@@ -28,6 +25,5 @@ namespace dem
   private:
     SpecimenCore       &core;
     base::StateVisitor &inner;
-    const bool          bonds_in_parts, contacts_in_parts; ///< also once tables of what was written are made anew
   };
 } // namespace dem

@@ -99,6 +99,7 @@ namespace dem
     each_column_of_state(links, [&](base::Column &column, const std::size_t numbers) {
       drop_lines(column, numbers, links, {0, links.first.size(), 0, true});
     });
+    links.keep_others_of(first(), last());
   }
 
   void SharedWork::drop_others(Particles &particles)
@@ -225,7 +226,8 @@ namespace dem
     each_column_of_state(
       links, [&](base::Column &column, const std::size_t numbers) { gather_column(column, numbers, share); });
     gather_blocks(links.accounts.data(), sizeof(LinkBlockAccount), share);
-    share.lean = false;
+    if (std::exchange(share.lean, false) && (!to_first || rank() == 0))
+      links.list_others();
   }
 
   void SharedWork::let_first_read(const std::function<void()> &gather_all)
