@@ -5,7 +5,9 @@
 #include "apps/process/exit_status.h"
 #include "apps/process/interrupt.h"
 #include "apps/process/version.h"
+#include "apps/results/warning.h"
 #include "apps/scene/usual_sizes.h"
+#include "apps/specimens/packing_density.h"
 #include "apps/specimens/specimen_packing.h"
 #include "apps/text/value_text.h"
 #include "base/errors.h"
@@ -132,6 +134,10 @@ namespace apps
           if (!options.moulded)
             packing = cropped(packing, box);
           fmt::print("box:  {} spheres, packing fraction {:.4f}\n", packing.size(), packing_fraction(packing, box));
+          if (const PackingDensity density = density_in(packing, box, 3); density.has_sparse_faces())
+            give_note(fmt::format("the faces of the box are cut and sparse: packing fraction {:.3f} inside. A bonded "
+                                  "specimen of it is softer and weaker than its inside; --moulded gives flat faces.",
+                                  density.inside));
         }
       postprocess::write_packing(packing, options.output, metadata);
       fmt::print("written to {}\n", options.output);

@@ -178,6 +178,7 @@ set(runs_sources
   specimens/specimen_picture.cc
   specimens/specimen_snapshots.cc
   specimens/static_start.cc
+  text/column_unit.cc
   text/corner_list.cc
   text/expression.cc
   text/name_list.cc

@@ -3,6 +3,7 @@
 #include "apps/scene/constant_entries.h"
 #include "apps/scene/overrides.h"
 #include "apps/scene/reader.h"
+#include "apps/text/column_unit.h"
 #include "apps/text/nearest_name.h"
 #include "apps/text/same_name.h"
 #include "base/errors.h"
@@ -39,10 +40,12 @@ namespace apps
           if (given[component])
             throw base::InputError(file + ": column \"" + name +
                                    "\": strain and stress of the same component cannot both be given.");
-          given[component]             = true;
-          path.stress_given[component] = position % 2 == 1;
+          given[component]                 = true;
+          path.stress_given[component]     = position % 2 == 1;
+          const auto                place  = static_cast<std::size_t>(&name - table.names.data());
+          const std::vector<double> values = column_in(table, place, position % 2 == 1 ? "Pa" : "-");
           for (std::size_t row = 0; row < path.rows.size(); ++row)
-            path.rows[row][component] = table.column(name)[row];
+            path.rows[row][component] = values[row];
         }
       return path;
     }

@@ -2,6 +2,7 @@
 
 #include "apps/scene/absent.h"
 #include "apps/text/nearest_name.h"
+#include "apps/text/value_text.h"
 
 #include <algorithm>
 #include <map>
@@ -44,6 +45,13 @@ namespace apps
       return *section;
     }
 
+    /** Where more entries are known than a message may list. */
+    std::string hint_for(const Section &section)
+    {
+      return section.path().empty() ? "`breccia describe` lists what there is." :
+                                      "`breccia describe " + section.name() + "` lists what there is.";
+    }
+
     [[noreturn]] void refuse_unknown(const Section &root, const Section &section, const Assignment &assignment)
     {
       std::string              message = assignment.place.text() + ": \"" + assignment.path() + "\" is not known. ";
@@ -54,14 +62,25 @@ namespace apps
       if (const std::string answer = absent(assignment.entry);
           !answer.empty() && std::none_of(elsewhere.begin(), elsewhere.end(), further_in))
         message += answer;
+      else if (const std::string here = did_you_mean(assignment.entry, section.entry_names());
+               !here.empty() && std::none_of(elsewhere.begin(), elsewhere.end(), further_in))
+        message += here;
       else if (!elsewhere.empty())
         message += "Did you mean \"" + elsewhere.front() + "\"?";
       else if (!section.entries().empty())
-        message += did_you_mean_or_known(assignment.entry, section.entry_names());
+        message += did_you_mean_or_known(assignment.entry, section.entry_names(), hint_for(section));
       else
         message += "There is no entry" + inside(section) + ". " +
                    did_you_mean_or_known(assignment.entry, section.section_names());
       throw base::InputError(message);
+    }
+
+    /** "25 GPa" for a number in Pa. */
+    bool has_other_unit(const Entry &entry, const std::string &value)
+    {
+      const std::size_t blank = value.find(' ');
+      return entry.type == "number" && !entry.unit.empty() && blank != std::string::npos &&
+             number_in(value.substr(0, blank)) && value.substr(blank + 1) != entry.unit;
     }
 
     void store(const Section &section, Entry &entry, const Assignment &assignment)
@@ -71,6 +90,7 @@ namespace apps
         throw base::InputError(assignment.place.text() + ": " + section.path_of(entry.name) + " = " +
                                (assignment.value.empty() ? "(nothing)" : assignment.value) + ": " + wrong +
                                (entry.unit.empty() || entry.unit == "-" ? "" : " [" + entry.unit + "]") +
+                               (has_other_unit(entry, assignment.value) ? ", alone or with this unit behind it" : "") +
                                ". Meaning: " + entry.meaning + ".");
       entry.value = assignment.value;
       entry.place = assignment.place;

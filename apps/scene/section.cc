@@ -249,6 +249,15 @@ namespace apps
       member = Expression(table);
       return "";
     }
+
+    /** Scenes in motion end within a second, and those in equilibrium have theirs from 0 to 1. */
+    double largest_in_a_second(const Expression &formula)
+    {
+      double largest = 0;
+      for (const double t : {1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 0.1, 0.25, 0.5, 0.75, 1.0})
+        largest = std::max(largest, std::abs(formula(0, 0, 0, t)));
+      return largest;
+    }
   } // namespace
 
   Entry &Section::expression(const std::string &entry, Expression &member, const std::string &unit)
@@ -271,16 +280,19 @@ namespace apps
       if (!wrong.empty())
         return "expected a formula in x, y, z and t: " + wrong;
       const Expression formula(text, from.text() + ": " + name);
-      if (!formula.varies_in_time() && !formula.varies_in_space())
+      if (!formula.varies_in_space())
         try
           {
-            const std::string question = question_about(entry, unit, formula(0, 0, 0, 0), text);
+            const std::string question = formula.varies_in_time() ?
+                                             question_about_growing(entry, unit, largest_in_a_second(formula), text) :
+                                             question_about(entry, unit, formula(0, 0, 0, 0), text);
             if (!written.unit_named && !question.empty())
               return question;
           }
         catch (const base::NumericalError &)
           {
-            return "expected a formula in x, y, z and t: its value is not a finite number";
+            if (!formula.varies_in_time()) // else it may be one within the time of the scene
+              return "expected a formula in x, y, z and t: its value is not a finite number";
           }
       member = formula;
       return "";

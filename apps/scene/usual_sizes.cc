@@ -1,11 +1,11 @@
 #include "apps/scene/usual_sizes.h"
 
+#include "apps/text/same_name.h"
 #include "apps/text/value_text.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -75,6 +75,13 @@ namespace apps
          beyond,
          "that is large. In mm? Write it in m, e.g. 0.1"},
         {"m", {"sizes", "classes"}, 0.4, beyond, "that is large for a grain. In mm? Write it in m, e.g. 8e-3"},
+        {"m",
+         {"upper", "lower", "corner", "first edge", "second edge", "centre", "point", "position", "from", "to"},
+         30,
+         beyond,
+         "that is far away. In mm? Write it in m, e.g. 0.1"},
+        {"m", {"displacement"}, 2, beyond, "that is far. In mm? Write it in m, e.g. 1e-3"},
+        {"m/s", {"velocity"}, 1500, beyond, "little is so fast. In mm/s? Write it in m/s, e.g. 5"},
         {"m", {"wavelengths"}, 300, beyond, "that is long. In mm? Write it in m, e.g. 0.16"},
         {"m", {"corners"}, 5, beyond, "that is large for a body of pebbles. In mm? Write it in m, e.g. 0.01"},
         {"-", {"instants"}, 0.5, beyond, "few tests go so far. In per cent? Write it as a pure number, e.g. -1e-3"},
@@ -89,42 +96,46 @@ namespace apps
         {"J/m^2", {"fracture energy"}, 0, 1, "about 100 is usual. In N/mm? Write it in J/m^2, e.g. 110 for 0.11 N/mm"},
         {"J/m^2", {"fracture energy"}, 1e7, beyond, "about 100 is usual. Write it in J/m^2"},
         {"N/m^3", {"x", "y", "z"}, 0, 100, "nothing is so light. In kN/m^3? Write it in N/m^3, e.g. 24e3"},
-        {"N/m^3",
-         {"stiffness"},
-         0,
-         1e5,
-         "nothing is so soft. In MPa/mm? Write it in N/m^3, e.g. 1e12 for 1000 MPa/mm"}};
+        {"N/m^3", {"stiffness"}, 0, 1e5, "nothing is so soft. In MPa/mm? Write it in N/m^3, e.g. 1e12 for 1000 MPa/mm"},
+        {"Pa/m", {"stiffness"}, 0, 1e5, "nothing is so soft. In MPa/mm? Write it in Pa/m, e.g. 1e12 for 1000 MPa/mm"}};
       return doubts;
     }
+  } // namespace
 
-    /** Whether these words stand in a name, as whole words, capital letters or not. */
-    bool has_words(const std::string &name, const std::string &words)
+  namespace
+  {
+    template <typename Applies>
+    std::string question_of(const std::string &entry,
+                            const std::string &unit,
+                            const double       value,
+                            const std::string &written,
+                            const Applies     &applies)
     {
-      const auto letter = [&](const std::size_t i) {
-        return i < name.size() && std::isalnum(static_cast<unsigned char>(name[i]));
-      };
-      for (std::size_t at = 0; at + words.size() <= name.size(); ++at)
-        {
-          std::size_t same = 0;
-          while (same < words.size() && std::tolower(static_cast<unsigned char>(name[at + same])) == words[same])
-            ++same;
-          if (same == words.size() && (at == 0 || !letter(at - 1)) && !letter(at + same))
-            return true;
-        }
-      return false;
+      const double size = std::abs(value);
+      for (const Doubt &doubt : all_doubts())
+        if (unit == doubt.unit && applies(doubt) && size > doubt.above && size < doubt.below)
+          for (const std::string &words : doubt.words)
+            if (has_words(entry, words))
+              return fmt::format("{}. If it is meant, name the unit: {} {}", doubt.question, written, unit);
+      return "";
     }
+
+    bool is_of_loads(const std::string &unit) { return unit == "Pa" || unit == "N/m^3"; }
   } // namespace
 
   std::string
   question_about(const std::string &entry, const std::string &unit, const double value, const std::string &written)
   {
-    const double size = std::abs(value);
-    for (const Doubt &doubt : all_doubts())
-      if (unit == doubt.unit && size > doubt.above && size < doubt.below)
-        for (const std::string &words : doubt.words)
-          if (has_words(entry, words))
-            return fmt::format("{}. If it is meant, name the unit: {} {}", doubt.question, written, unit);
-    return "";
+    return question_of(entry, unit, value, written, [](const Doubt &) { return true; });
+  }
+
+  std::string question_about_growing(const std::string &entry,
+                                     const std::string &unit,
+                                     const double       largest,
+                                     const std::string &written)
+  {
+    return question_of(entry, unit, largest, written,
+                       [](const Doubt &doubt) { return doubt.above == 0 && is_of_loads(doubt.unit); });
   }
 
   namespace

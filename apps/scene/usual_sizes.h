@@ -16,6 +16,12 @@ namespace apps
   question_about(const std::string &entry, const std::string &unit, double value, const std::string &written);
 
   /**
+   * The same for the largest size that a load reaches as it grows with time, of which only that it is too small can be said.
+   */
+  std::string
+  question_about_growing(const std::string &entry, const std::string &unit, double largest, const std::string &written);
+
+  /**
    * The same for the numbers of a list, "1e-3-2e-3: 0.75, 8e-3: 0.25" or "-1e-3 > -5e-4": those before a colon, each of which may name its
    * unit.
    */

@@ -177,7 +177,7 @@ namespace apps
       if (specimen.has_box())
         {
           dem::Packing box = cropped(packing, box_of(specimen, dimension));
-          if (packing.periodic_cell && specimen.bonded)
+          if (specimen.bonded)
             tell_of_sparse_faces(box, specimen, dimension);
           return box;
         }

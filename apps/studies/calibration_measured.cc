@@ -2,6 +2,7 @@
 #include "apps/results/run_result.h"
 #include "apps/studies/calibration_runs.h"
 #include "apps/studies/measured_curve.h"
+#include "apps/text/column_unit.h"
 #include "base/errors.h"
 
 #include <algorithm>
@@ -17,6 +18,14 @@ namespace apps
       const auto         found = std::find(table.names.begin(), table.names.end(), column) - table.names.begin();
       const std::string &unit  = table.units.at(static_cast<std::size_t>(found));
       return unit.empty() ? column : column + " [" + unit + "]";
+    }
+
+    /** A laboratory's table may be in MPa and per cent; what runs find is in units of the System. */
+    void put_curve_in_si(postprocess::CsvTable &table, const CurveColumns &columns)
+    {
+      for (std::size_t c = 0; c < table.names.size(); ++c)
+        if (table.names[c] == columns.abscissa || table.names[c] == columns.ordinate)
+          put_in_si(table, c);
     }
 
     /** What a residual is divided by: the standard deviation, or what makes targets of one weight count alike. */
@@ -47,9 +56,11 @@ namespace apps
               target.reference.empty() ?
                 CurveColumns{target.abscissa, target.ordinate, ""} :
                 CurveColumns{target.reference_abscissa, target.reference_ordinate, target.reference_test};
-            const auto table = postprocess::read_csv_table(
-              target.reference.empty() ? std::filesystem::path(target.curve) : reference / "series.csv", true,
-              {"test"});
+            auto table = postprocess::read_csv_table(target.reference.empty() ? std::filesystem::path(target.curve) :
+                                                                                reference / "series.csv",
+                                                     true, {"test"});
+            if (target.reference.empty())
+              put_curve_in_si(table, columns);
             x                         = abscissae_of(table, columns);
             y                         = ordinates_at(x, table, columns);
             labels[begins.size() - 1] = {label_of(columns.abscissa, table), label_of(columns.ordinate, table)};

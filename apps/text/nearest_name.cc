@@ -78,11 +78,15 @@ namespace apps
     return name.empty() ? std::string() : "Did you mean \"" + name + "\"?";
   }
 
-  std::string did_you_mean_or_known(const std::string &typed, const std::vector<std::string> &candidates)
+  std::string did_you_mean_or_known(const std::string              &typed,
+                                    const std::vector<std::string> &candidates,
+                                    const std::string              &where_listed)
   {
     const std::string meant = did_you_mean(typed, candidates);
-    if (!meant.empty() || candidates.empty() || candidates.size() > a_short_list)
+    if (!meant.empty() || candidates.empty())
       return meant;
+    if (candidates.size() > a_short_list)
+      return where_listed;
     std::string all;
     for (const std::string &candidate : candidates)
       all += (all.empty() ? "Known: " : ", ") + candidate;

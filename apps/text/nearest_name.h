@@ -21,5 +21,7 @@ namespace apps
   std::string did_you_mean(const std::string &typed, const std::vector<std::string> &candidates);
 
   /** The same, for messages without a list of their own: where none is like it "Known: X, Y.", or "" if these are too many. */
-  std::string did_you_mean_or_known(const std::string &typed, const std::vector<std::string> &candidates);
+  std::string did_you_mean_or_known(const std::string              &typed,
+                                    const std::vector<std::string> &candidates,
+                                    const std::string              &where_listed = "");
 } // namespace apps

@@ -66,6 +66,25 @@ namespace apps
       return static_cast<std::size_t>(found - table.names.begin());
     }
 
+    /** As laboratories write it: "sieve" for the size of its openings, and a unit as a part of the name, "size_mm". */
+    postprocess::CsvTable read_size_table(const std::string &file)
+    {
+      postprocess::CsvTable table = postprocess::read_csv_table(file);
+      for (std::size_t c = 0; c < table.names.size(); ++c)
+        {
+          std::string      &name = table.names[c];
+          const std::size_t line = name.rfind('_');
+          if (line != std::string::npos && table.units[c].empty() && base::length_unit(name.substr(line + 1)))
+            {
+              table.units[c] = name.substr(line + 1);
+              name.erase(line);
+            }
+          if (same_name(name, "sieve"))
+            name = "size";
+        }
+      return table;
+    }
+
     std::size_t required_place(const postprocess::CsvTable &table, const std::string &name)
     {
       if (const auto place = place_of(table, name))
@@ -201,7 +220,7 @@ namespace apps
 
   std::vector<dem::SizeClass> size_classes_in_file(const std::string &file)
   {
-    const postprocess::CsvTable table = postprocess::read_csv_table(file);
+    const postprocess::CsvTable table = read_size_table(file);
     if (place_of(table, "passing"))
       return by_passing(table);
     if (place_of(table, "retained"))
@@ -210,7 +229,8 @@ namespace apps
     const std::vector<double> low    = lengths_of(table, single ? "diameter" : "smallest"),
                               high   = lengths_of(table, single ? "diameter" : "largest");
     std::vector<dem::SizeClass> classes;
-    const std::vector<double>  &fraction = table.columns[required_place(table, "fraction")];
+    const std::vector<double>  &given  = table.columns[required_place(table, "fraction")];
+    const std::vector<double> fraction = parts_of(table, "fraction", std::accumulate(given.begin(), given.end(), 0.0));
     for (std::size_t i = 0; i < low.size(); ++i)
       classes.push_back({fraction[i], low[i], high[i]});
     return classes;
@@ -247,7 +267,7 @@ namespace apps
 
   dem::GradingCurve grading_in_file(const std::string &file)
   {
-    const postprocess::CsvTable table    = postprocess::read_csv_table(file);
+    const postprocess::CsvTable table    = read_size_table(file);
     const bool                  retained = !place_of(table, "passing");
     const char                 *column   = retained ? "retained" : "passing";
     const std::vector<double>  &given    = table.columns[required_place(table, column)];

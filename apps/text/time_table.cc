@@ -1,5 +1,6 @@
 #include "apps/text/time_table.h"
 
+#include "apps/text/column_unit.h"
 #include "apps/text/same_name.h"
 #include "apps/text/value_text.h"
 #include "base/errors.h"
@@ -27,31 +28,6 @@ namespace apps
 
   namespace
   {
-    /** By what values of a unit are divided to be in another, which it has but for a prefix: "kN" to "N". Empty: it is another. */
-    std::optional<double> divisor(const std::string &from, const std::string &to)
-    {
-      if (from.empty() || from == to)
-        return 1.0;
-      static constexpr std::pair<char, double> prefixes[] = {{'u', 1e6},  {'m', 1e3},  {'c', 1e2},
-                                                             {'k', 1e-3}, {'M', 1e-6}, {'G', 1e-9}};
-      for (const auto &[letter, by] : prefixes)
-        if (from[0] == letter && from.substr(1) == to)
-          return by;
-      return std::nullopt;
-    }
-
-    std::vector<double> column_of(const postprocess::CsvTable &table, const std::size_t place, const std::string &unit)
-    {
-      const std::optional<double> by = divisor(table.units[place], unit);
-      if (!by)
-        throw base::InputError(fmt::format("{}: column {} is in [{}], expected [{}], with a prefix if you like.",
-                                           table.origin, table.names[place], table.units[place], unit));
-      std::vector<double> values = table.columns[place];
-      for (double &value : values)
-        value = *by < 1 ? value * std::round(1 / *by) : value / *by; // one rounding
-      return values;
-    }
-
     std::size_t place_of_column(const postprocess::CsvTable &table, const std::string &name)
     {
       const auto found = std::find_if(table.names.begin(), table.names.end(),
@@ -73,6 +49,19 @@ namespace apps
                                            table.origin, table.names.size() - 1, fmt::join(table.names, ", ")));
       return 1 - time;
     }
+
+    /** A column whose name says another quantity than the entry has, and that names no unit, is hardly meant. */
+    void refuse_other_quantity(const postprocess::CsvTable &table, const std::size_t quantity, const std::string &unit)
+    {
+      static constexpr std::pair<const char *, const char *> units[] = {
+        {"displacement", "m"}, {"velocity", "m/s"}, {"speed", "m/s"}, {"acceleration", "m/s^2"},
+        {"force", "N"},        {"pressure", "Pa"},  {"stress", "Pa"}, {"traction", "Pa"}};
+      for (const auto &[name, of] : units)
+        if (table.units[quantity].empty() && of != unit && has_words(table.names[quantity], name))
+          throw base::InputError(fmt::format("{}: column {} is a {} by its name, and a table in [{}] is expected. Give "
+                                             "that one, or say by [{}] behind its name that it is one.",
+                                             table.origin, table.names[quantity], name, unit, unit));
+    }
   } // namespace
 
   TimeTable::TimeTable(const std::string &file, const std::string &column, const std::string &unit)
@@ -80,9 +69,10 @@ namespace apps
     const postprocess::CsvTable table    = postprocess::read_csv_table(file);
     const std::size_t           at       = place_of_column(table, "time");
     const std::size_t           quantity = place_of_quantity(table, column, at);
-    time                                 = column_of(table, at, "s");
-    value                                = column_of(table, quantity, unit);
-    says                                 = !table.units[quantity].empty();
+    refuse_other_quantity(table, quantity, unit);
+    time  = column_in(table, at, "s");
+    value = column_in(table, quantity, unit);
+    says  = !table.units[quantity].empty();
     if (time.empty())
       throw base::InputError(file + ": has no rows. Give one of time and value each.");
     for (std::size_t row = 1; row < time.size(); ++row)

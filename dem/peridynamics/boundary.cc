@@ -10,7 +10,8 @@ namespace dem::peridynamics
 {
   namespace
   {
-    const char *const names[6] = {"left", "right", "bottom", "top", "back", "front"};
+    const char *const names[6]   = {"left", "right", "bottom", "top", "back", "front"};
+    const char *const by_axis[6] = {"x min", "x max", "y min", "y max", "z min", "z max"};
 
     struct Side
     {
@@ -20,7 +21,7 @@ namespace dem::peridynamics
     Side side_of(const std::string &name, const int dimension)
     {
       for (int s = 0; s < 2 * dimension; ++s)
-        if (name == names[s])
+        if (name == names[s] || name == by_axis[s])
           return {s / 2, s % 2 == 0 ? -1 : 1};
       return {-1, 0};
     }

@@ -21,7 +21,7 @@ namespace dem::peridynamics
   std::vector<std::string> side_names(int dimension);
 
   /**
-   * Points of a side, or of a hole by its name.
+   * Points of a side, by its word or by its axis ("x min" for "left"), or of a hole by its name.
    *
    * Layout::boundary_nodes: the nodes of the side. Layout::cell_centred: the projections of the outermost nodes. Of a hole: points
    * evenly around it, about a spacing apart, beside their nearest nodes.

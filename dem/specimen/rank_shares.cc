@@ -41,18 +41,21 @@ namespace dem
   std::size_t least_bytes(const ObservedSpecimen &specimen, const RankShare &share)
   {
     const SpecimenCore &core = core_of(specimen);
-    double              all = static_cast<double>(specimen.bytes()), shared = 0;
+    double              all = static_cast<double>(specimen.bytes()), shared = 0, listed = 0;
     for (const LinkSet *links : {&core.bonds, &core.contacts})
-      each_column_of_state(*links, [&](const base::Column &column, std::size_t) { shared += bytes_of(column); });
-    const double lines   = static_cast<double>(core.bonds.alive + core.contacts.alive),
-                 updated = static_cast<double>(share.owned + share.copied.size());
-    double held          = lines > 0 ? shared * std::min(updated / lines, 1.0) : 0;
-    double of_motion     = 0;
+      {
+        each_column_of_state(*links, [&](const base::Column &column, std::size_t) { shared += bytes_of(column); });
+        listed += static_cast<double>(links->others.size() * sizeof(std::int32_t));
+      }
+    const double lines = static_cast<double>(core.bonds.alive + core.contacts.alive),
+                 owned = static_cast<double>(share.owned), updated = owned + static_cast<double>(share.copied.size());
+    double held      = lines > 0 ? (shared * std::min(updated, lines) + listed * std::min(owned, lines)) / lines : 0;
+    double of_motion = 0;
     for (const base::Column *column : records_of_motion(core.particles))
       of_motion += bytes_of(*column);
     held += of_motion * static_cast<double>(share.end_particle - share.first_particle + share.ghosts.size()) /
             static_cast<double>(core.particles.count);
-    return static_cast<std::size_t>(all - shared - of_motion + held);
+    return static_cast<std::size_t>(all - shared - listed - of_motion + held);
   }
 
   std::vector<RankMemory> memory_of_ranks(const ObservedSpecimen &specimen)

@@ -16,7 +16,7 @@ namespace postprocess::numeric_text
 {
   namespace
   {
-    bool is_separator(const char c) { return c == ' ' || c == '\t' || c == ','; }
+    bool is_separator(const char c) { return c == ' ' || c == '\t' || c == ',' || c == ';'; }
 
     /** For a message: in quotes, without what a terminal would obey, and no longer than a line. */
     std::string quoted(const std::string_view field)
@@ -138,11 +138,12 @@ namespace postprocess::numeric_text
   std::vector<ColumnName> column_names(std::string_view line)
   {
     constexpr std::string_view opening = "[(", closing = "])";
-    const bool                 commas = line.find(',') != std::string_view::npos;
+    constexpr std::string_view between = ",;";
+    const bool                 commas  = line.find_first_of(between) != std::string_view::npos;
     std::vector<ColumnName>    names;
     while (!(line = trimmed(line)).empty())
       {
-        std::size_t end = commas ? line.find(',') : line.find_first_of(" \t[(");
+        std::size_t end = commas ? line.find_first_of(between) : line.find_first_of(" \t[(");
         // `name [unit]` without commas: the bracket belongs to the name before it.
         if (!commas && end != std::string_view::npos)
           if (const std::size_t next = line.find_first_not_of(" \t", end);

@@ -77,7 +77,7 @@ namespace postprocess
     {
       for (std::size_t at = 0; at < text.size(); ++at)
         {
-          if (text[at] == ',' || text[at] == ':' || text[at] == ';' || text[at] == '=')
+          if (std::string_view(",:;=|").find(text[at]) != std::string_view::npos)
             text[at] = ' ';
           if (text[at] != '(')
             continue;
@@ -196,5 +196,13 @@ namespace postprocess
              return number(word.name) || is_one_of(word.name, {"in", "of", "the", "by", "a", "and", "with", "for",
                                                                "from", "to", "at", "are", "is", "all", "no"});
            });
+  }
+
+  bool speaks_of_diameters(const std::string_view comment)
+  {
+    const Names words = words_of(comment);
+    return std::any_of(words.begin(), words.end(), [](const ColumnName &word) {
+      return is_one_of(word.name, {"diameter", "diameters"});
+    });
   }
 } // namespace postprocess

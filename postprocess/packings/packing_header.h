@@ -43,6 +43,9 @@ namespace postprocess
   /** Names may stand within a sentence: "two dimensions: x y z radius [m]". */
   CommentedNames names_in_comment(std::string_view comment, std::size_t columns);
 
+  /** "# the fourth column is the diameter": no names of columns, and yet it says what they are. */
+  bool speaks_of_diameters(std::string_view comment);
+
   /** Whether a comment right above the rows is like a header: one word for each column, none of a sentence. */
   bool looks_like_names(std::string_view comment, std::size_t columns);
 } // namespace postprocess

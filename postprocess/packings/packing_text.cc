@@ -58,6 +58,7 @@ namespace postprocess
           }
         if (packing.size() == 0)
           throw base::InputError(origin + ": holds no particle. Give lines of x y z radius [m].");
+        refuse_diameters_in_prose();
         convert_to_metres();
         if (layout.material)
           packing.material_names.resize(numbers.size());
@@ -210,6 +211,18 @@ namespace postprocess
             "seems to name the " + std::to_string(columns) +
               " columns below, and not each of x, y, z and radius (or diameter) once. Name them so, e.g. \"# x y z "
               "radius\", or reword the comment.");
+      }
+
+      /** Comments may stand below the rows, too. */
+      void refuse_diameters_in_prose() const
+      {
+        if (layout.named)
+          return;
+        for (const CommentLine &comment : comments)
+          if (comment.plain && speaks_of_diameters(comment.text))
+            refuse(origin, comment.number,
+                   "speaks of diameters, and the fourth column is taken for the radius. Say what it is above the rows: "
+                   "\"# x y z diameter\", or \"# x y z radius\".");
       }
 
       void read_particle(const std::string_view line)

@@ -58,7 +58,8 @@ TEST_CASE("A value that is no number, or outside its range, is refused with plac
           "x.prm:15: Material/CPM/Cohesion = -3e6: expected a number >= 0 [Pa]");
   refused("Cohesion             = 3e6", "Cohesion = nan", "Cohesion = nan: expected a number");
   refused("Cohesion             = 3e6", "Cohesion = 1e999", "Cohesion = 1e999: expected a number");
-  refused("Cohesion             = 3e6", "Cohesion = 3 MPa", "Cohesion = 3 MPa: expected a number");
+  refused("Cohesion             = 3e6", "Cohesion = 3 MPa",
+          "Cohesion = 3 MPa: expected a number >= 0 [Pa], alone or with this unit behind it.");
   refused("Cohesion             = 3e6", "Cohesion =", "x.prm:15: Material/CPM/Cohesion = (nothing): expected a number");
   refused("Density           = 4800", "Density = 0", "x.prm:5: Specimen/Density = 0: expected a number > 0 [kg/m^3]");
   refused("Interaction ratio = 1.5", "Interaction ratio = 0.5", "expected a number in [1, 10]");

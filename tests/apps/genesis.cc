@@ -226,11 +226,14 @@ TEST_CASE("Sizes are read from a table: diameters, ranges or a sieve curve", "[a
     return found.out;
   };
   CHECK_THAT(forecast("diameter [mm],fraction\n1,0.5\n3.2,0.5\n"), Contains("378, to be grown: 344 34"));
+  CHECK_THAT(forecast("diameter_mm;fraction [%]\n1;50\n3.2;50\n"), Contains("378, to be grown: 344 34"));
   CHECK_THAT(forecast("smallest [m],largest [m],fraction\n0.001,0.001,0.5\n0.0032,0.0032,0.5\n"),
              Contains("378, to be grown: 344 34"));
   const std::vector<std::string> curves = {"size [mm],passing\n1,0\n2,0.5\n4,1\n",
                                            "size [mm],passing\n4,1\n2,0.5\n1,0\n",
                                            "Size (mm),Passing (%)\n1,0\n2,50\n4,100\n",
+                                           "sieve [mm];passing [%]\n1;0\n2;50\n4;100\n",
+                                           "size_mm,passing\n1,0\n2,0.5\n4,1\n",
                                            "size [m],passing\n0.004,100\n0.002,50\n0.001,0\n",
                                            "size [mm],retained\n1,0.5\n2,0.5\n4,0\n",
                                            "size [mm],retained [%]\n4,0\n2,50\n1,50\n0,0\n",

@@ -124,6 +124,9 @@ $EndElements
       heights.push_back(found.figure("height", "end"));
       std::filesystem::remove_all(folder / "results");
     }
+  is_refused(folder, "x.prm", {wall + "Shape=file", wall + "File=floor.stl"}, "m. In mm? Set Scale = 1e-3");
+  CHECK(outcome_of(folder, "check", "x.prm", {wall + "Shape=file", wall + "File=floor.stl", wall + "Scale=1"}).status ==
+        0);
   for (const double height : heights)
     CHECK(height == Approx(heights.front()).epsilon(1e-9));
 }
@@ -186,7 +189,7 @@ TEST_CASE("Walls that cannot be are refused with the place and the reason", "[ap
   const std::string wall = "Walls/floor/";
   refused({wall + "Second edge=1, 0, 0"}, "wall floor: facet 1 has zero area");
   refused({"More particles/ball/Centre=0, 0, 0.004"}, "surface floor: particle 1 at");
-  refused({"Initial velocity/ball/Velocity z=1e5"}, "more than its radius");
+  refused({"Initial velocity/ball/Velocity z=1e5 m/s"}, "more than its radius");
   refused({wall + "Velocity x=x"}, "a wall moves as a rigid body");
   refused({wall + "Shape=plane", wall + "Spin x=1"}, "an unbounded plane does not spin");
   refused({wall + "Control=force", wall + "Direction=0, 0, 1", wall + "Largest speed=1"}, "Say how hard");

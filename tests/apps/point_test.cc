@@ -64,6 +64,21 @@ namespace
   }
 } // namespace
 
+TEST_CASE("columns of a path are used in the units of their header, between semicolons, too", "[apps]")
+{
+  const auto row   = [](const std::string &path) { return answer(path, m1); };
+  const auto by_si = row("strain_xx,stress_yy,stress_zz\n5e-5,-1e6,0\n");
+  for (const char *path : {"strain_xx [%],stress_yy [MPa],stress_zz\n0.005,-1,0\n",
+                           "strain_xx [per mille];stress_yy [N/mm^2];stress_zz\n0.05;-1;0\n"})
+    for (const char *column : {"stress_xx", "stress_yy", "strain_yy"})
+      CHECK(row(path).column(column).back() == Approx(by_si.column(column).back()).epsilon(1e-12));
+  const ScratchFolder folder;
+  folder.file("path.csv", "strain_xx [MPa]\n1e-5\n");
+  const Outcome refused = run(folder.path(), command("damage-plastic concrete", m1));
+  CHECK(refused.status == 2);
+  CHECK_THAT(refused.err, Contains("path.csv: column strain_xx is in [MPa], expected [-]"));
+}
+
 TEST_CASE("point-test: uniaxial tension of concrete has the published values", "[apps]")
 {
   const postprocess::CsvTable out = answer(uniaxial(1e-4, 5), m1);

@@ -89,6 +89,15 @@ TEST_CASE("A side by its axis is the side by its word, and holds and couples as 
   CHECK(by_axis.series.columns == by_word.series.columns);
 }
 
+TEST_CASE("A side that has two sections, by its word and by its axis, is refused: their loads would add up",
+          "[apps][coupled]")
+{
+  const ScratchFolder folder;
+  folder.file("x.prm", ball_on_block);
+  is_refused(folder, "x.prm", {"Continuum/Boundary conditions/back/Displacement x=0"},
+             "Boundary conditions/z min: the same side as back, which has a section, too.");
+}
+
 TEST_CASE("A side \"top\" that is not the upper side is refused where there is weight, with what may be meant",
           "[apps][coupled]")
 {

@@ -97,6 +97,11 @@ end
   CHECK_THAT(loose.err, !Contains(note));
   CHECK(bonded.status == 0);
   CHECK_THAT(bonded.err, Contains(note));
+  // A packing that was cut before has no cell any more, and the same faces.
+  REQUIRE(run(folder.path(), {"pack", "--radius", "0.002", "--box", "0.04,0.04,0.04", "-o", "cut.txt"}).status == 0);
+  folder.file("from_file.prm", replaced(content_of(folder / "bonded.prm"), "set Source   = generator",
+                                        "set Source   = file\n  set File     = cut.txt"));
+  CHECK_THAT(outcome_of(folder, "check", "from_file.prm", {"Specimen/Loose pieces=drop"}).err, Contains(note));
 }
 
 TEST_CASE("A moulded specimen of ten diameters is stiffer by a quarter than one whose sparse faces are cut",

@@ -103,9 +103,9 @@ subsection Targets
     std::normal_distribution<> noise(0, deviation);
     std::ostringstream         text;
     text.precision(17);
-    text << "strain,stress\n";
+    text << "strain [%],stress [MPa]\n"; // as laboratories write it
     for (std::size_t row = 0; row <= std::size_t(peak - y.begin()); ++row)
-      text << x[row] << ',' << y[row] + noise(stream) << '\n';
+      text << 100 * x[row] << ',' << 1e-6 * (y[row] + noise(stream)) << '\n';
     folder.file(test + ".csv", text.str());
     return deviation;
   }

@@ -48,7 +48,8 @@ TEST_CASE("A table of time and velocity moves particles as the formula of the sa
   const ScratchFolder folder;
   folder.file("x.prm", moved_ball);
   // Up to 0.2 m/s in 20 ms, at rest from 30 ms on: 2 mm and 1 mm.
-  for (const char *table : {"time,velocity\n0,0\n0.02,0.2\n0.03,0\n", "time [ms],v [mm/s]\n0,0\n20,200\n30,0\n"})
+  for (const char *table : {"time,velocity\n0,0\n0.02,0.2\n0.03,0\n", "time [ms],v [mm/s]\n0,0\n20,200\n30,0\n",
+                            "time;displacement rate [m/s]\n0;0\n0.02;0.2\n0.03;0\n"})
     {
       folder.file("way.csv", table);
       const Results found = results_of(folder, "x.prm");
@@ -89,6 +90,7 @@ TEST_CASE("A table that is none is refused with the file and the place in it", "
   refused("t,velocity\n0,0\n", "way.csv: there is no column time. Columns: t, velocity.");
   refused("time,a,b\n0,0,0\n", "has 2 columns besides the time. Say which: table FILE: COLUMN");
   refused("time,velocity [N]\n0,0\n", "column velocity is in [N], expected [m/s]");
+  refused("time,displacement\n0,0\n1,1\n", "column displacement is a displacement by its name, and a table in [m/s]");
   refused("time,velocity\n0,x\n", "way.csv, line 2: \"x\" is not a number");
   folder.file("way.csv", "time,velocity\n0,0\n1,1\n");
   is_refused(folder, "x.prm", {"Motion/ball/Velocity x=table none.csv"}, "there is no file ");

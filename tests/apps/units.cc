@@ -39,7 +39,13 @@ TEST_CASE("A number of another unit is questioned in every dimension, and taken 
     OddNumber{"notched_beam.prm", "Materials/solid/damage-plastic concrete/Young modulus", "30000", "Pa", "so soft"},
     OddNumber{"notched_beam.prm", "Mesh/Notched beam/Length", "450", "m", "In mm?"},
     OddNumber{"bouncing_sphere.prm", "Gravity/Acceleration", "0, 0, -9810", "m/s^2", "In mm/s^2?"},
-    OddNumber{"quick_uniaxial.prm", "Specimen/Generator/Particle radius", "1.5", "m", "In mm?"});
+    OddNumber{"quick_uniaxial.prm", "Specimen/Generator/Particle radius", "1.5", "m", "In mm?"},
+    OddNumber{"quick_uniaxial.prm", "Loading/Area", "900", "m^2", "that is large. In mm^2?"},
+    OddNumber{"jointed_network.prm", "Specimen/Joints/flat/smooth-joint/Normal stiffness", "200", "Pa/m", "In MPa/mm?"},
+    OddNumber{"pressed_spheres.prm", "Walls/box/Upper", "46, 46, 300", "m", "that is far away. In mm?"},
+    OddNumber{"bar_impact.prm", "Boundary conditions/left/Displacement x", "5", "m", "that is far. In mm?"},
+    OddNumber{"plate_with_hole.prm", "Boundary conditions/right/Traction x", "1*t", "Pa", "In MPa or kPa?"},
+    OddNumber{"plate_with_hole.prm", "Body force/y", "-24*t", "N/m^3", "In kN/m^3?"});
   const ScratchFolder folder;
   INFO(odd.scene << ": " << odd.entry << " = " << odd.value);
   const auto check = [&](const std::string &value) {
@@ -52,6 +58,18 @@ TEST_CASE("A number of another unit is questioned in every dimension, and taken 
   CHECK_THAT(requested.err, Contains(odd.entry + " = " + odd.value + ": ") && Contains(odd.question) &&
                               Contains("If it is meant, name the unit: " + odd.value + " " + odd.unit));
   CHECK_THAT(check(odd.value + " " + odd.unit).err, Contains("Output/Samples = none: expected a whole number"));
+}
+
+TEST_CASE("The stress of a cell's leg is questioned, and taken with its unit named", "[apps]")
+{
+  const ScratchFolder folder;
+  const auto          check = [&](const std::string &target) {
+    return run(folder.path(), {"check", shipped("periodic_cell.prm"), "-s", "Loading/Leg 1/yy=" + target, "-s",
+                               "Output/Samples=none"});
+  };
+  CHECK_THAT(check("stress -1").err, Contains("Leg 1/yy = stress -1: a solid hardly feels so small a load."));
+  for (const char *meant : {"stress -1 Pa", "stress -1e6", "strain -1", "stress 0"})
+    CHECK_THAT(check(meant).err, Contains("Output/Samples = none: expected a whole number"));
 }
 
 TEST_CASE("Numbers in lists are questioned, and taken where each names its unit", "[apps]")

@@ -246,3 +246,19 @@ TEST_CASE("degenerate bodies are refused by name", "[dem]")
   CHECK_THROWS_WITH(bonds.refuse_isolated_nodes(), Contains("node 1") && Contains("isolated"));
   CHECK_THROWS_WITH(boundary_points(c.grid(), "front"), Contains("front") && Contains("left, right, bottom, top"));
 }
+
+TEST_CASE("a side of a body has the points of its word where it is called by its axis", "[dem]")
+{
+  const Case c = plate(10, Layout::cell_centred);
+  for (const auto &[word, by_axis] : std::vector<std::pair<const char *, const char *>>{
+         {"left", "x min"}, {"right", "x max"}, {"bottom", "y min"}, {"top", "y max"}})
+    {
+      const std::vector<BoundaryPoint> one   = boundary_points(c.grid(), word),
+                                       other = boundary_points(c.grid(), by_axis);
+      REQUIRE(one.size() == 10);
+      REQUIRE(other.size() == one.size());
+      for (std::size_t p = 0; p < one.size(); ++p)
+        CHECK(one[p].place == other[p].place);
+    }
+  CHECK_THROWS_WITH(boundary_points(c.grid(), "z min"), Catch::Contains("z min: is neither a side"));
+}

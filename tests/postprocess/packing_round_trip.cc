@@ -134,12 +134,13 @@ TEST_CASE("columns are used as a header says, commented or not: diameter in plac
 {
   const ScratchFolder folder;
   // (1, 2, 3) mm with radius 0.5 mm and (4, 5, 6.25) mm with radius 0.25 mm, in a cell of 8 mm.
-  const std::string columns = GENERATE(
-    as<std::string>{}, // in millimetres, with diameters
-    "x [mm] y [mm] z [mm] diameter [mm]\n", "x(mm) y(mm) z(mm) d(mm)\n", "X_mm,Y_mm,Z_mm,Diameter_mm\n",
-    "x (mm) y (mm) z (mm) diam (mm)\n", "# all lengths in millimetres\nx y z diameter\n",
-    "# x y z diameter, all in mm\n", "# units: mm\n# columns: x y z d\n",
-    "# centre (x, y, z), diameter\n# coordinates and sizes [mm]\n", "# format x_y_z_d\n# length unit = Millimeters\n");
+  const std::string columns =
+    GENERATE(as<std::string>{}, // in millimetres, with diameters
+             "x [mm] y [mm] z [mm] diameter [mm]\n", "x(mm) y(mm) z(mm) d(mm)\n", "X_mm,Y_mm,Z_mm,Diameter_mm\n",
+             "x (mm) y (mm) z (mm) diam (mm)\n", "# all lengths in millimetres\nx y z diameter\n",
+             "# x|y|z|diameter\n# all in mm\n", "x [mm];y [mm];z [mm];d [mm]\n", "# x y z diameter, all in mm\n",
+             "# units: mm\n# columns: x y z d\n", "# centre (x, y, z), diameter\n# coordinates and sizes [mm]\n",
+             "# format x_y_z_d\n# length unit = Millimeters\n");
   const std::string rows =
     columns.find(',') == std::string::npos || columns[0] == '#' ? "1 2 3 1\n4 5 6.25 0.5\n" : "1,2,3,1\n4,5,6.25,0.5\n";
   const bool        commented = GENERATE(false, true);

@@ -32,7 +32,7 @@ namespace apps
 
     /** What solvers throw, as a run reports it. */
     template <typename Work>
-    void in_words_of_a_run(const Work &work)
+    void in_words_of_a_run(const ContinuumModel &model, const Work &work)
     {
       try
         {
@@ -40,7 +40,11 @@ namespace apps
         }
       catch (const fem::NoEquilibrium &failure)
         {
-          throw StoppedShort(failure.what());
+          const bool led_by_time = model.is_static() && model.control.follow == ControlSection::Follow::time;
+          throw StoppedShort(std::string(failure.what()) +
+                             (led_by_time ? " Where the load falls at once (snap-back), time cannot lead the path: set "
+                                            "Control/Follow = indirect or arc length." :
+                                            ""));
         }
       catch (const fem::MaterialFailure &failure)
         {
@@ -111,7 +115,7 @@ namespace apps
         // Ranks go on together or not at all, whatever their clocks say.
         while (!finished() && found.states < states && (found.states < 2 || !on_any_rank(spent.seconds() >= enough)))
           {
-            in_words_of_a_run([this] {
+            in_words_of_a_run(model, [this] {
               while (!analysis->advance())
                 continue;
               row();
@@ -272,7 +276,7 @@ namespace apps
   {
     try
       {
-        in_words_of_a_run([&] {
+        in_words_of_a_run(model, [&] {
           if (!analysis->advance())
             return;
           record(row());

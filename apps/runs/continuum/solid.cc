@@ -4,6 +4,7 @@
 #include "fem/materials/least_extent.h"
 #include "fem/mesh/gmsh_file.h"
 #include "fem/mesh/removal.h"
+#include "fem/mesh/sides.h"
 
 #include <deal.II/base/mpi.h>
 #include <fmt/format.h>
@@ -65,9 +66,27 @@ namespace apps
                              " It has: " + listed(known) + ".");
     }
 
+    /** A side has two names. Loads of two sections would add up, which may be meant in one section as well, and hardly is in two. */
+    void refuse_side_named_twice(const std::vector<std::unique_ptr<BoundaryCondition>> &boundaries)
+    {
+      for (const fem::SideName &side : fem::side_names)
+        {
+          const auto named = [&](const char *name) {
+            return std::find_if(boundaries.begin(), boundaries.end(),
+                                [name](const auto &b) { return b->name == name; });
+          };
+          const auto by_word = named(side.word), by_axis = named(side.by_axis);
+          if (by_word != boundaries.end() && by_axis != boundaries.end())
+            throw base::InputError(fmt::format("{}: Boundary conditions/{}: the same side as {}, which has a section, "
+                                               "too. Put all that acts on it into one.",
+                                               (*by_axis)->place.text(), side.by_axis, side.word));
+        }
+    }
+
     template <int dim>
     void refuse_names(const fem::Mesh<dim> &mesh, const ContinuumModel &model)
     {
+      refuse_side_named_twice(model.loads.boundaries);
       const auto groups = names_of(mesh.materials), boundaries = names_of(mesh.boundaries);
       for (const auto &group : model.materials.groups)
         refuse_unknown(group->group, groups, group->place, "Materials", "group of elements", [&] {

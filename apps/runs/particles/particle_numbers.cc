@@ -2,40 +2,34 @@
 
 #include "apps/text/value_text.h"
 #include "base/errors.h"
+#include "postprocess/files/numeric_text.h"
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <fstream>
 #include <map>
-#include <sstream>
+#include <string_view>
 
 namespace apps
 {
   std::vector<std::size_t> read_particle_numbers(const std::string &file, const std::size_t particles)
   {
-    std::ifstream in(file);
-    if (!in)
-      throw base::InputError(file + ": cannot be read.");
-    std::map<std::size_t, int> first_line; // by number, from 0
-    int                        number_of_line = 0;
-    for (std::string line; std::getline(in, line);)
+    const std::string                  text = postprocess::numeric_text::read_text(file);
+    std::map<std::size_t, std::size_t> first_line; // by number, from 0
+    std::vector<std::string_view>      words;
+    for (postprocess::numeric_text::Lines lines(text); lines.next();)
       {
-        ++number_of_line;
-        line.erase(std::min(line.find('#'), line.size()));
-        std::replace(line.begin(), line.end(), ',', ' ');
-        std::istringstream words(line);
-        for (std::string word; words >> word;)
+        postprocess::numeric_text::split(lines.text().substr(0, lines.text().find('#')), words);
+        for (const std::string_view word : words)
           {
-            const auto number = integer_in(word);
+            const auto number = integer_in(std::string(word));
             const auto refuse = [&](const std::string &why) {
-              throw base::InputError(fmt::format("{}:{}: \"{}\" {}", file, number_of_line, word, why));
+              throw base::InputError(fmt::format("{}:{}: \"{}\" {}", file, lines.number(), word, why));
             };
             if (!number)
               refuse("is not a whole number.");
             if (*number < 1 || static_cast<std::size_t>(*number) > particles)
               refuse(fmt::format("is none of the particles, which are numbered from 1 to {}.", particles));
-            const auto [at, fresh] = first_line.emplace(static_cast<std::size_t>(*number - 1), number_of_line);
+            const auto [at, fresh] = first_line.emplace(static_cast<std::size_t>(*number - 1), lines.number());
             if (!fresh)
               refuse(fmt::format("is there a second time; first in line {}.", at->second));
           }

@@ -127,6 +127,19 @@ namespace apps
         }
       return mesh;
     }
+
+    constexpr double largest_in_metres = 30; // as of lengths in scenes (usual_sizes.cc)
+
+    double extent_of(const dem::FacetMesh &mesh)
+    {
+      Eigen::Vector3d low = mesh.vertex.front(), high = low;
+      for (const Eigen::Vector3d &x : mesh.vertex)
+        {
+          low  = low.cwiseMin(x);
+          high = high.cwiseMax(x);
+        }
+      return (high - low).maxCoeff();
+    }
   } // namespace
 
   dem::FacetMesh read_wall(const std::string &file, const double scale)
@@ -140,8 +153,14 @@ namespace apps
         fmt::format("{}: {} of {} facets have no area and are left out.", file, dropped, dropped + mesh.facet.size()));
     if (mesh.facet.empty())
       throw base::InputError(file + ": none of its triangles has an area.");
-    for (Eigen::Vector3d &x : mesh.vertex)
-      x *= scale;
+    if (scale > 0)
+      for (Eigen::Vector3d &x : mesh.vertex)
+        x *= scale;
+    else if (const double size = extent_of(mesh); size > largest_in_metres)
+      throw base::InputError(
+        fmt::format("{}: reaches over {:g} m. In mm? Set Scale = 1e-3 beside File. If it is meant, "
+                    "set Scale = 1.",
+                    file, size));
     return mesh;
   }
 } // namespace apps

@@ -42,7 +42,7 @@ namespace apps
     std::int64_t          around = 36;
     bool                  ends   = false;
     std::string           file;
-    double                scale = 1;
+    double                scale = 0;
 
     ContactLaw contact;
 

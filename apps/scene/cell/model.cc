@@ -7,6 +7,7 @@
 #include "apps/scene/entries/specimen.h"
 #include "apps/scene/entries/time.h"
 #include "apps/scene/section.h"
+#include "apps/scene/usual_sizes.h"
 #include "base/voigt.h"
 
 #include <fmt/format.h>
@@ -15,6 +16,19 @@ namespace apps
 {
   namespace
   {
+    /** "stress -1" is taken for one in MPa until its unit is named. */
+    Entry &question_stress(Entry &target)
+    {
+      target.store = [store = target.store](const std::string &text, const Place &from) -> std::string {
+        const std::string kind = "stress ";
+        if (text.compare(0, kind.size(), kind) != 0)
+          return store(text, from);
+        const std::string value = text.substr(kind.size()), question = question_about_list("stress", "Pa", value);
+        return question.empty() ? store(kind + list_without_units(value, "Pa"), from) : question;
+      };
+      return target;
+    }
+
     void declare_loading(Section &root, CellModel &model)
     {
       Section &section = root.section("Loading", "The path along which the cell is driven, leg by leg");
@@ -34,7 +48,7 @@ namespace apps
           leg.only_if([&model, i] { return i < model.legs; }, fmt::format("Loading/Legs is at least {}", i + 1));
           leg.number("Duration", model.path[i].duration, "s", Range::positive(), Need::required).means("Of the leg");
           for (int c = 0; c < 6; ++c)
-            leg.text(base::voigt_names[c], model.path[i].target[c], Need::optional)
+            question_stress(leg.text(base::voigt_names[c], model.path[i].target[c], Need::optional))
               .means(c < 3 ? "\"strain VALUE\" [-] or \"stress VALUE\" [Pa], tension positive" :
                              "\"strain VALUE\" (engineering shear) [-] or \"stress VALUE\" [Pa]");
         }

@@ -1,6 +1,7 @@
 #include "apps/scene/entries/grips.h"
 
 #include "apps/scene/section.h"
+#include "apps/scene/usual_sizes.h"
 
 namespace apps
 {
@@ -12,11 +13,16 @@ namespace apps
       .means("A grip holds the particles whose centre is within this of the specimen's outermost centre; 2.2 "
              "radii hold about one complete layer")
       .only_if(needed);
-    loading.text("Area", grip_entries.area, Need::optional)
+    Entry &area = loading.text("Area", grip_entries.area, Need::optional);
+    area
       .means("Section that stresses refer to: nominal, or a number [m^2]. Nominal: seen along the axis, the "
              "rectangle around all particles, or the circle around them where that is smaller (a cylinder); in "
              "the plane width times thickness")
       .only_if(needed);
+    area.store = [store = area.store](const std::string &text, const Place &from) -> std::string {
+      const std::string question = question_about_list("area", "m^2", text);
+      return question.empty() ? store(list_without_units(text, "m^2"), from) : question;
+    };
     loading
       .choice("Gauge length", grip_entries.gauge,
               {{"inner faces", dem::Gauge::inner_faces},

@@ -84,8 +84,10 @@ namespace apps
       s.file("File", wall.file)
         .means("STL (text or binary), or Gmsh (.msh, text): its triangles and quadrilaterals; from the scene's folder")
         .only_if(chosen);
-      s.number("Scale", wall.scale, "-", Range::positive(), Need::optional)
-        .means("By which lengths of the file are multiplied to be metres")
+      s.number("Scale", wall.scale, "-", Range::at_least(0), Need::optional)
+        .means(
+          "By which lengths of the file are multiplied to be metres; 0: the file is in metres, unless it is so large "
+          "that this must be said, by 1")
         .only_if(chosen);
     }
 

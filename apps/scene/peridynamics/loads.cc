@@ -33,7 +33,8 @@ namespace apps
   void declare(Section &section, PeridynamicTraction &peridynamic_traction)
   {
     section.text("Boundary", peridynamic_traction.boundary, Need::required)
-      .means("left, right (x), bottom, top (y), back, front (z), or the name of a hole");
+      .means(
+        "left, right (x), bottom, top (y), back, front (z), by axis x min, x max and so on, or the name of a hole");
     Entry &formulas = section.text("Value", peridynamic_traction.written, Need::optional);
     formulas.type   = "formulas";
     formulas.unit   = "Pa";
@@ -74,7 +75,9 @@ namespace apps
   void declare(Section &section, PeridynamicSupport &peridynamic_support)
   {
     section.text("Boundary", peridynamic_support.boundary, Need::optional)
-      .means("left, right, bottom, top, back, front: the outermost layer of nodes; empty: the nodes of a region");
+      .means("left, right, bottom, top, back, front, or by axis x min, x max and so on: the outermost layer of nodes; "
+             "empty: "
+             "the nodes of a region");
     declare(
       section, peridynamic_support.region, [&peridynamic_support] { return peridynamic_support.boundary.empty(); },
       "Boundary is empty");
