@@ -23,7 +23,7 @@ namespace postprocess
   };
 
   /**
-   * Read a table: the first line names the columns (`name` or `name [unit]`), commas, blanks or tabs separate, lines
+   * Read a table: the first line names the columns (`name` or `name [unit]`), commas, semicolons, blanks or tabs separate, lines
    * starting with `#` are comments. The values nan and inf are accepted only on request. Columns of words are those
    * that the caller names.
    *

@@ -104,6 +104,16 @@ TEST_CASE("All entries that are missing are named at once, a line for each", "[a
     }
 }
 
+TEST_CASE("An entry that is not known is answered by one of its own section, or by where these are listed", "[apps]")
+{
+  const ScratchFolder folder;
+  const auto          answer = [&](const std::string &entry) {
+    return run(folder.path(), {"check", places::sources() + "/apps/scenes/rock_triaxial.prm", "-s", entry + "=1"}).err;
+  };
+  CHECK_THAT(answer("Laboratory/Pressure"), Contains("is not known. Did you mean \"Confining pressure\"?"));
+  CHECK_THAT(answer("Laboratory/Rate"), Contains("is not known. `breccia describe Laboratory` lists what there is."));
+}
+
 TEST_CASE("A modulus that no solid has is questioned, and taken when its unit is named", "[apps]")
 {
   for (const char *value : {"25", "25000"})
