@@ -114,7 +114,7 @@ TEST_CASE("Balls too soft for their speed do not pass through each other unseen"
                             Contains("too soft for what it has to stop"));
   // And a step that is longer than a ball could do it in one go.
   const Outcome at_once = outcome_of(
-    folder, "run", "x.prm", {"Initial velocity/first/Velocity x=1e5", "Time/Step factor=0.8", "Time/End time=0.1"});
+    folder, "run", "x.prm", {"Initial velocity/first/Velocity x=1e5 m/s", "Time/Step factor=0.8", "Time/End time=0.1"});
   CHECK(at_once.status == 1);
   CHECK_THAT(at_once.err, Contains("more than its radius"));
 }
