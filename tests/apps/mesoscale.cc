@@ -75,6 +75,22 @@ TEST_CASE("Grading in a text: passing and retained, parts or percent, in any ord
   CHECK_THROWS_WITH(apps::sieves_in_text("4e-3 0.4, 8e-3: 1"), Contains("expected size: part"));
 }
 
+namespace
+{
+  /** Normal modulus of links of a pair of materials [Pa]. */
+  double modulus(const dem::LinkLaw &law, const std::int32_t one, const std::int32_t other)
+  {
+    dem::NewLink link;
+    link.distance     = 2e-3;
+    link.first_radius = link.second_radius = 1e-3;
+    link.area                              = 3e-6;
+    const auto          pair               = static_cast<std::size_t>(dem::material_pair(one, other));
+    std::vector<double> history(law.columns().size(), 0.0);
+    law.begin(pair, link, history.data());
+    return law.stiffness(pair, {0, 2e-3, 2e-3, 3e-6}, history.data()).normal;
+  }
+} // namespace
+
 TEST_CASE("Mix: links between different aggregates are of the interface, within one of the aggregate",
           "[apps][mesoscale]")
 {
@@ -97,21 +113,65 @@ TEST_CASE("Mix: links between different aggregates are of the interface, within 
   CHECK(of(3, 3) == "aggregate");
   CHECK(of(1, 3) == "interface");
   // The law that a specimen gets has the constants of each pair: moduli 1, 2.5 and 0.5 times the mortar's.
-  const auto law     = made.bonds(dem::Physics());
-  const auto modulus = [&](const std::int32_t one, const std::int32_t other) {
-    dem::NewLink link;
-    link.distance     = 2e-3;
-    link.first_radius = link.second_radius = 1e-3;
-    link.area                              = 3e-6;
-    const auto          pair               = static_cast<std::size_t>(dem::material_pair(one, other));
-    std::vector<double> history(law->columns().size(), 0.0);
-    law->begin(pair, link, history.data());
-    return law->stiffness(pair, {0, 2e-3, 2e-3, 3e-6}, history.data()).normal;
+  const auto law = made.bonds(dem::Physics());
+  CHECK(modulus(*law, 0, 0) == 25e9);
+  CHECK(modulus(*law, 3, 3) == 62.5e9);
+  CHECK(modulus(*law, 0, 3) == 12.5e9);
+  CHECK(modulus(*law, 1, 3) == 12.5e9);
+}
+
+namespace
+{
+  /** Concrete whose moduli say the material. */
+  apps::NamedMaterial of_modulus(const std::string &name, const double normal_modulus)
+  {
+    dem::CpmParameters p = cluster::concrete();
+    p.normal_modulus     = normal_modulus;
+    apps::NamedMaterial made;
+    made.name = name;
+    made.law.choose(p);
+    return made;
+  }
+
+  apps::MaterialInterface between(const std::string &one, const std::string &other, const double normal_modulus)
+  {
+    apps::MaterialInterface made;
+    made.one       = one;
+    made.other     = other;
+    made.constants = of_modulus("", normal_modulus).law.constants;
+    return made;
+  }
+} // namespace
+
+TEST_CASE("Mix: with Materials links between different aggregates are of the interface as well, with its constants",
+          "[apps][mesoscale]")
+{
+  apps::MaterialSection materials;
+  materials.named      = {of_modulus("steel", 200e9), of_modulus("mortar", 20e9), of_modulus("aggregate", 60e9)};
+  apps::MixSection mix = low_19();
+  // Numbers: steel 0, mortar 1, aggregate 2, and two more of the aggregate, 3 and 4.
+  const auto check = [&](const double interface, const double within, const double with_steel) {
+    const auto law = apps::with_copies(mix, materials, 5).materials().bonds(dem::Physics());
+    for (const std::int32_t stone : {2, 3, 4})
+      {
+        CHECK(modulus(*law, 1, stone) == interface);
+        CHECK(modulus(*law, 0, stone) == with_steel);
+        for (const std::int32_t other : {2, 3, 4})
+          CHECK(modulus(*law, other, stone) == (other == stone ? within : interface));
+      }
+    CHECK(modulus(*law, 0, 0) == 200e9);
+    CHECK(modulus(*law, 1, 1) == 20e9);
   };
-  CHECK(modulus(0, 0) == 25e9);
-  CHECK(modulus(3, 3) == 62.5e9);
-  CHECK(modulus(0, 3) == 12.5e9);
-  CHECK(modulus(1, 3) == 12.5e9);
+  check(40e9, 60e9, 130e9); // the means
+  materials.interfaces = {between("aggregate", "mortar", 5e9)};
+  check(5e9, 60e9, 130e9);
+  materials.interfaces.push_back(between("steel", "aggregate", 7e9));
+  materials.interfaces.push_back(between("aggregate", "aggregate", 50e9));
+  check(5e9, 50e9, 7e9);
+  materials.interfaces.push_back(between("mortar", "aggregate", 0));
+  materials.interfaces.back().from    = apps::MaterialInterface::Constants::factors;
+  materials.interfaces.back().factors = {0.5, 0.5, 0.1};
+  check(10e9, 50e9, 7e9); // the last of several
 }
 
 TEST_CASE("Mix: a run reports what was requested and reached, and its figures by class of links", "[apps][mesoscale]")
