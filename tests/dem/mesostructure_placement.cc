@@ -253,9 +253,9 @@ TEST_CASE(
   grow(Kind::sphere, false, 0.5, 0.01);
   grow(Kind::sphere, true, 0.5, 0.01);
   grow(Kind::ellipsoid, true, 0.5, 0.01);
-  grow(Kind::ellipsoid, false, 0.4, 0.01);
+  grow(Kind::ellipsoid, false, 0.5, 0.01);
   grow(Kind::polyhedron, false, 0.4, 0.01);
-  grow(Kind::polyhedron, true, 0.4, 0.01);
+  grow(Kind::polyhedron, true, 0.45, 0.01);
 }
 
 TEST_CASE("placement: what has no room is refused with the content that was reached", "[dem][mesostructure]")

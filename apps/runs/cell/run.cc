@@ -147,7 +147,9 @@ namespace apps
     postprocess::PictureSlab  slab;
     slab.axis      = model.physics.dimension == 2 ? 2 : 1;
     slab.materials = packing.material_names;
-    slab.images    = dem::link_images(*specimen, joined, state);
+    if (model.mix.given())
+      slab.classes = model.mixed().link_classes(packing.material_names);
+    slab.images = dem::link_images(*specimen, joined, state);
     return postprocess::picture_of_specimen(file, state, joined, "Periodic cell at the end of its path", slab);
   }
 
