@@ -1,5 +1,6 @@
 #include "apps/models/mix.h"
 #include "apps/models/mix_materials.h"
+#include "apps/specimens/mix_work.h"
 #include "apps/text/size_table.h"
 #include "base/errors.h"
 #include "dem/model/materials.h"
@@ -11,6 +12,7 @@
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
+#include <cmath>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -174,6 +176,29 @@ TEST_CASE("Mix: with Materials links between different aggregates are of the int
   check(10e9, 50e9, 7e9); // the last of several
 }
 
+TEST_CASE("Mix: contents of classes between sieves add up to the whole, requested and placed", "[apps][mesoscale]")
+{
+  const apps::MixSection mix   = low_19();
+  const nlohmann::json   found = apps::mix_figures(mix, {{0.05, 0.05, 0.05}, false}).json();
+  REQUIRE(found["classes"].size() == 3);
+  double requested = 0, placed = 0;
+  for (const auto &each : found["classes"])
+    {
+      requested += each["content_requested"].get<double>();
+      placed += each["content"].get<double>();
+    }
+  CHECK_THAT(requested, WithinRel(found["content_requested"].get<double>(), 1e-12));
+  CHECK_THAT(placed, WithinRel(found["content"].get<double>(), 1e-12));
+  // 300, 300 and 150 of 1872 kg of aggregates.
+  for (const auto &[k, mass] : {std::pair{0, 300.0}, {1, 300.0}, {2, 150.0}})
+    CHECK_THAT(found["classes"][k]["content_requested"].get<double>(),
+               WithinRel(mix.all_aggregates() * mass / 1872, 1e-12));
+  double in_class = 0; // by the volumes of the spheres
+  for (const double d : mix.sizes_in({0.05, 0.05, 0.05}).diameters)
+    in_class += d >= 9.5e-3 && d < 12.5e-3 ? M_PI / 6 * d * d * d : 0;
+  CHECK_THAT(found["classes"][1]["content"].get<double>(), WithinRel(in_class / (0.05 * 0.05 * 0.05), 1e-9));
+}
+
 TEST_CASE("Mix: a run reports what was requested and reached, and its figures by class of links", "[apps][mesoscale]")
 {
   const apps_tests::ScratchFolder folder;
@@ -188,6 +213,9 @@ TEST_CASE("Mix: a run reports what was requested and reached, and its figures by
   CHECK_THAT(mix["content_requested"].get<double>(), WithinRel(0.27, 1e-12));
   CHECK_THAT(mix["content"].get<double>(), WithinRel(0.27, 0.2)); // few are whole
   CHECK(mix["sieves"].size() == 2);
+  REQUIRE(mix["classes"].size() == 1);
+  CHECK_THAT(mix["classes"][0]["content_requested"].get<double>(), WithinRel(0.27, 1e-12));
+  CHECK_THAT(mix["classes"][0]["content"].get<double>(), WithinRel(mix["content"].get<double>(), 1e-12));
   for (const auto &test : summary["tests"])
     {
       std::size_t links  = 0;
