@@ -326,6 +326,7 @@ namespace
                  replaced(mix_of_two_sizes(), "6e-3: 100, 4e-3: 0", "9e-3: 100, 5e-3: 0"));
     scene = replaced(scene, "5e-3: 0\n    set Smallest aggregate = 4e-3", "5e-3: 0\n    set Smallest aggregate = 5e-3");
     scene = replaced(scene, "  set Grip thickness = 0.5e-3\n", "  set Tests = tension\n  set Grip thickness = 2e-3\n");
+    scene = replaced(scene, "Strain rate = 4\n", "Strain rate = 10\n");
     return replaced(scene, "  subsection Compression\n    set Strain rate = 20\n  end\n", "");
   }
 } // namespace
