@@ -210,6 +210,7 @@ TEST_CASE("Mix: a cell has aggregates over its faces and figures by class of lin
   CHECK_THAT(energy, WithinRel(still["tests"][0]["energy"]["damage"].get<double>(), 1e-6));
   CHECK(energy > 0);
   CHECK(std::filesystem::exists(folder / "still1/grading.png"));
+  CHECK(std::filesystem::exists(folder / "moving1/grading.png"));
 }
 
 TEST_CASE("Mix: an interrupted cell of concrete goes on to the same bits", "[apps][mesoscale][slow][S13]")

@@ -168,6 +168,7 @@ namespace apps
   {
     warn_of_missing("curve.png", report(0).draw_curve(folder / "curve.png"));
     warn_of_missing("cell_crack.png", draw_crack(folder / "cell_crack.png"));
+    warn_of_missing("grading.png", model.mixed().draw_grading(folder, packing.periodic_cell));
   }
 
   RunResult run(const CellModel &model, const RunRequest &request)
