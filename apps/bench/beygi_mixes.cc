@@ -52,4 +52,31 @@ namespace apps::beygi
       {"h-19", true, 422.4, 160.7, 9.0, {300, 300, 150}, 2462, 13.0e-6, {1.036, 0.856, 1.054, 1.333}, {}}};
     return all;
   }
+
+  const Mix &Mix::reference() const { return mixes()[high ? 3 : 0]; }
+
+  std::optional<Band> band_of(const Mix &mix, const double ductility, const Property property)
+  {
+    constexpr Ratios apart = {0.06, 0.06, 0.06, 0.25};
+    if (&mix == &mix.reference() || ductility != simulated_ductility || !(mix.simulated[property] > 0))
+      return std::nullopt;
+    return Band{mix.simulated[property] - apart[property], mix.simulated[property] + apart[property]};
+  }
+
+  bool right_trend(const Property property, const double ratio)
+  {
+    constexpr double flat = 0.01;
+    return property == tension ? ratio <= 1 + flat : ratio > 1;
+  }
+
+  std::string judgement(const Mix &mix, const double ductility, const Property property, const double ratio)
+  {
+    if (&mix == &mix.reference())
+      return "";
+    const std::optional<Band> band = band_of(mix, ductility, property);
+    std::string               said = !band ? "" : band->holds(ratio) ? "within" : "outside";
+    if (!right_trend(property, ratio))
+      said += said.empty() ? "against the trend" : ", against the trend";
+    return said;
+  }
 } // namespace apps::beygi

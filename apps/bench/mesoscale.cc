@@ -8,6 +8,7 @@
 #include "apps/runs/uniaxial/model.h"
 #include "base/errors.h"
 #include "base/stopwatch.h"
+#include "postprocess/files/atomic_file.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -134,7 +135,11 @@ namespace apps
         };
         return mix == smallest() ? 0.0 : ratio(p) * std::hypot(part(found[p]), part(of_smallest[p]));
       }
-      const beygi::Mix *smallest() const { return &beygi::mixes()[mix->high ? 3 : 0]; }
+      const beygi::Mix *smallest() const { return &mix->reference(); }
+      std::string       judged(const std::size_t p) const
+      {
+        return beygi::judgement(*mix, ductility, static_cast<beygi::Property>(p), ratio(p));
+      }
     };
 
     std::vector<MixRow>
@@ -168,24 +173,62 @@ namespace apps
       return geometries > 1 ? text + " ± " + fmt::format(fmt::runtime(precise), error) : text;
     }
 
-    /** "1.05 ± 0.02 (1.10, 1.05)": ours, experiment, published simulation. */
+    /** "1.05 ± 0.02 (1.10, 1.05) within": ours, experiment, published simulation, and whether ours is in its band. */
     std::string cell_of(const MixRow &row, const std::size_t p)
     {
-      constexpr double simulated_with = 0.1; // of the two published factors
-      const Ratios    &measured       = row.mix->measured;
-      const double     simulated      = row.ductility == simulated_with ? row.mix->simulated[p] : 0.0;
+      const Ratios &measured  = row.mix->measured;
+      const double  simulated = row.ductility == beygi::simulated_ductility ? row.mix->simulated[p] : 0.0;
       if (row.mix == row.smallest())
         return "1";
       const std::string ours = with_error(row.ratio(p), row.error(p), row.found[p].values.size(), "{:.3f}");
-      return fmt::format("{} ({:.3f}{})", ours, measured[p], simulated > 0 ? fmt::format(", {:.3f}", simulated) : "");
+      const std::string said = row.judged(p);
+      return fmt::format("{} ({:.3f}{}){}{}", ours, measured[p],
+                         simulated > 0 ? fmt::format(", {:.3f}", simulated) : "", said.empty() ? "" : " ", said);
+    }
+
+    /** A row for each ratio; what is not published is empty. */
+    std::string ratios_csv_of(const std::vector<MixRow> &rows)
+    {
+      const auto  number = [](const double value) { return value > 0 ? fmt::format("{:.4g}", value) : std::string(); };
+      std::string csv    = "mix,ductility_factor [-],property,ratio [-],error [-],experiment [-],simulation [-],low "
+                           "[-],high [-],judgement\n";
+      for (const MixRow &row : rows)
+        for (std::size_t p = 0; p < names.size() && row.mix != row.smallest(); ++p)
+          {
+            const auto band = beygi::band_of(*row.mix, row.ductility, static_cast<beygi::Property>(p));
+            csv += fmt::format("{},{},{},{},{},{},{},{},{},\"{}\"\n", row.mix->name, row.ductility, names[p],
+                               row.ratio(p), row.found[p].values.size() > 1 ? fmt::format("{}", row.error(p)) : "",
+                               row.mix->measured[p], band ? number(row.mix->simulated[p]) : "",
+                               band ? number(band->low) : "", band ? number(band->high) : "", row.judged(p));
+          }
+      return csv;
+    }
+
+    /** How many ratios are in their bands, and go the right way. */
+    std::string verdict_on(const std::vector<MixRow> &rows)
+    {
+      int banded = 0, within = 0, all = 0, right = 0;
+      for (const MixRow &row : rows)
+        for (std::size_t p = 0; p < names.size() && row.mix != row.smallest(); ++p)
+          {
+            const auto property = static_cast<beygi::Property>(p);
+            const auto band     = beygi::band_of(*row.mix, row.ductility, property);
+            banded += band ? 1 : 0;
+            within += band && band->holds(row.ratio(p)) ? 1 : 0;
+            all += 1;
+            right += beygi::right_trend(property, row.ratio(p)) ? 1 : 0;
+          }
+      return fmt::format(
+        "{} of {} ratios within the band of the published simulation (0.06; work of fracture 0.25), {} of "
+        "{} with its trend.\n",
+        within, banded, right, all);
     }
 
     std::string table_of(const std::vector<MixRow> &rows)
     {
       std::string md =
         "Over the mix with 9.5 mm, with its standard error; in brackets the experiment and, of the low strength, the "
-        "published "
-        "simulation with ductility factor 0.1.\n\n"
+        "published simulation with ductility factor 0.1, and whether ours is within its band.\n\n"
         "| Mix | Ductility factor | E [GPa] | f_t [MPa] | f_c [MPa] | G_f [J/m²] | E | f_t | f_c | G_f |\n"
         "|---|---|---|---|---|---|---|---|---|---|\n";
       constexpr std::array<double, beygi::properties> scale = {1e-9, 1e-6, 1e-6, 1};
@@ -201,7 +244,7 @@ namespace apps
             md += " " + cell_of(row, p) + " |";
           md += "\n";
         }
-      return md;
+      return md + "\n" + verdict_on(rows);
     }
 
     /** A property over the largest size, of one strength. */
@@ -293,6 +336,8 @@ namespace apps
           }
     const std::vector<MixRow> rows = rows_of(bench, mixes, all);
     results.write(csv_of(all), table_of(rows));
+    postprocess::write_text(bench.folder / "mesoscale_ratios.csv", ratios_csv_of(rows));
+    fmt::print("{}", verdict_on(rows));
     std::vector<postprocess::PlotPanel> panels;
     for (const bool high : {false, true})
       for (std::size_t p = 0; p < names.size(); ++p)

@@ -25,7 +25,8 @@ namespace apps
    * The six concretes of Beygi et al. (2014): their moduli, strengths and work of fracture over those with the smallest aggregates, beside the
    * experiment and a published simulation. Particles, mortar, factors and loading are those of the scene; geometries are by seeds of the mix.
    *
-   * Written to mesoscale.csv (a row per geometry), mesoscale.md and mesoscale.png. @return exit status. @throws base::InputError,
+   * Written to mesoscale.csv (a row per geometry), mesoscale_ratios.csv (a row per ratio, with its band and whether it is within), mesoscale.md
+   * and mesoscale.png. @return exit status. @throws base::InputError,
    * postprocess::OutputError.
    */
   int run_mesoscale_bench(const MesoscaleBench &bench);

@@ -97,14 +97,18 @@ namespace apps
                                        at(other).name, at(other).law.law->name(), at(other).name, at(one).name));
   }
 
-  const MaterialInterface *MaterialSection::between(const std::int32_t one, const std::int32_t other) const
+  const MaterialInterface *MaterialSection::between(const std::string &one, const std::string &other) const
   {
-    const std::string &first = std::next(named.begin(), one)->name, &second = std::next(named.begin(), other)->name;
     const MaterialInterface *found = nullptr;
     for (const MaterialInterface &each : interfaces)
-      if ((each.one == first && each.other == second) || (each.one == second && each.other == first))
+      if ((each.one == one && each.other == other) || (each.one == other && each.other == one))
         found = &each;
     return found;
+  }
+
+  const MaterialInterface *MaterialSection::between(const std::int32_t one, const std::int32_t other) const
+  {
+    return between(std::next(named.begin(), one)->name, std::next(named.begin(), other)->name);
   }
 
   std::vector<const dem::LinkLawKind *> MaterialSection::laws_of_pairs() const

@@ -63,6 +63,8 @@ namespace apps
 
     dem::LinkMaterials       materials() const;
     std::vector<std::string> names() const; ///< empty where there is one
+    /** The interface of two materials: the last of several; nullptr if there is none. */
+    const MaterialInterface *between(const std::string &one, const std::string &other) const;
 
     /**
      * Number the packing's particles as materials(): by the names that the packing gives them (or its numbers, or else all the
@@ -82,7 +84,7 @@ namespace apps
     void check_interfaces(const base::EntryPath &root) const;
     /** Every pair of materials has a law. @throws base::InputError */
     void check_pairs(const base::EntryPath &root) const;
-    /** The interface of a pair of materials, by their numbers: the last of several; nullptr if there is none. */
+    /** The same by their numbers. */
     const MaterialInterface *between(std::int32_t one, std::int32_t other) const;
     /** Law of the links of each pair of materials, in the order of dem::material_pair(); nullptr: none follows from the scene. */
     std::vector<const dem::LinkLawKind *> laws_of_pairs() const;

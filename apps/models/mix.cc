@@ -1,5 +1,6 @@
 #include "apps/models/mix.h"
 
+#include "apps/text/nearest_name.h"
 #include "apps/text/size_table.h"
 #include "base/errors.h"
 #include "dem/model/packing.h"
@@ -154,6 +155,15 @@ namespace apps
         section.refuse(entry, dem::material_name_rule() + std::string("."));
     if (mortar == aggregate)
       section.refuse("Aggregate", "must be another material than Mortar.");
+  }
+
+  void MixSection::require_among(const std::vector<std::string> &materials, const base::EntryPath &specimen) const
+  {
+    if (!given() || materials.empty())
+      return;
+    for (const auto &[entry, name] : {std::pair{"Mortar", mortar}, std::pair{"Aggregate", aggregate}})
+      if (std::find(materials.begin(), materials.end(), name) == materials.end())
+        specimen.at("Mix").refuse(entry, "is not in section Materials. " + did_you_mean(name, materials));
   }
 
   Eigen::Vector3d MixSection::box_behind(const Eigen::Vector3d &box) const

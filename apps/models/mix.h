@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <list>
 #include <string>
+#include <vector>
 
 namespace apps
 {
@@ -67,6 +68,8 @@ namespace apps
     void check(const base::EntryPath &specimen, const Eigen::Vector3d &box, int dimension) const;
     /** The same of a periodic cell, whose edges are known once its particles are. @throws base::InputError */
     void check_for_cell(const base::EntryPath &specimen) const;
+    /** @param materials of section Materials, empty: there is none @throws base::InputError where mortar or aggregate is not among them */
+    void require_among(const std::vector<std::string> &materials, const base::EntryPath &specimen) const;
 
     dem::MixVolumes       volumes() const;            ///< @pre there are constituents
     dem::GradingCurve     grading_curve() const;      ///< @throws base::InputError

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
 
 namespace apps
@@ -29,6 +30,44 @@ namespace apps
         }
       return kind.materials(all, pairs);
     }
+
+    const NamedMaterial &material_called(const MaterialSection &materials, const std::string &name)
+    {
+      return *std::find_if(materials.named.begin(), materials.named.end(),
+                           [&name](const NamedMaterial &one) { return one.name == name; });
+    }
+
+    /** Links between mortar and aggregate, with constants that no longer depend on which materials they join. */
+    MaterialInterface interface_of(const MixSection &mix, const MaterialSection &materials)
+    {
+      const NamedMaterial &mortar        = material_called(materials, mix.mortar),
+                          &aggregate     = material_called(materials, mix.aggregate);
+      const MaterialInterface *own       = materials.between(mix.mortar, mix.aggregate);
+      const auto               constants = [](const NamedMaterial &of, const dem::LinkLawKind &kind) {
+        return dem::NamedConstants{of.name, of.law.constants.at(kind.name()).get()};
+      };
+      MaterialInterface made;
+      made.law    = own != nullptr ? own->law_among(materials.named) : mortar.law.law;
+      made.bonded = own == nullptr || own->bonded;
+      for (const dem::LinkLawKind *kind : {made.law, mortar.law.contacts})
+        if (kind != nullptr)
+          made.constants[kind->name()] = own != nullptr ?
+                                           own->constants_by(*kind, materials.named) :
+                                           kind->mean_of(constants(mortar, *kind), constants(aggregate, *kind));
+      return made;
+    }
+
+    /** The interfaces of one name for another. */
+    std::list<MaterialInterface>
+    renamed(std::list<MaterialInterface> all, const std::string &from, const std::string &to)
+    {
+      all.remove_if([&](const MaterialInterface &each) { return each.one != from && each.other != from; });
+      for (MaterialInterface &each : all)
+        for (std::string *name : {&each.one, &each.other})
+          if (*name == from)
+            *name = to;
+      return all;
+    }
   } // namespace
 
   std::string aggregate_name(const MixSection &mix, const std::int32_t copy)
@@ -48,6 +87,26 @@ namespace apps
       for (std::size_t other = 0; other <= one; ++other)
         classes.push_back(one != other ? "interface" : one == 0 ? "mortar" : "aggregate");
     return classes;
+  }
+
+  MaterialSection with_copies(const MixSection &mix, const MaterialSection &materials, const std::size_t numbers)
+  {
+    MaterialSection   all       = materials;
+    MaterialInterface interface = interface_of(mix, materials);
+    NamedMaterial     copy      = material_called(materials, mix.aggregate);
+    for (std::int32_t k = 1; all.named.size() < numbers; ++k)
+      {
+        copy.name = aggregate_name(mix, k);
+        all.named.push_back(copy);
+        all.interfaces.splice(all.interfaces.end(), renamed(materials.interfaces, mix.aggregate, copy.name));
+        interface.other = copy.name;
+        for (std::int32_t before = 0; before < k; ++before)
+          {
+            interface.one = aggregate_name(mix, before);
+            all.interfaces.push_back(interface);
+          }
+      }
+    return all;
   }
 
   dem::LinkMaterials mix_materials(const MixSection &mix, const LinkLaw &mortar, const std::size_t numbers)

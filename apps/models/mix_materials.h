@@ -19,6 +19,14 @@ namespace apps
    */
   dem::LinkMaterials mix_materials(const MixSection &mix, const LinkLaw &mortar, std::size_t numbers);
 
+  /**
+   * Section Materials, whose mortar and aggregate have constants of their own, with as many further numbers of the aggregate as make so many
+   * materials. Links between two of its numbers are of the interface, as those between it and the mortar; with others they are as its own.
+   *
+   * @pre the section has both and is checked
+   */
+  MaterialSection with_copies(const MixSection &mix, const MaterialSection &materials, std::size_t numbers);
+
   /** "mortar", "aggregate" or "interface" of each pair of so many materials, in the order of dem::material_pair(). */
   std::vector<std::string> classes_of_mix(std::size_t numbers);
 

@@ -18,6 +18,14 @@ namespace apps
       }
   }
 
+  std::vector<std::string> LinkClasses::of_pairs() const
+  {
+    std::vector<std::string> all;
+    for (const std::size_t number : of_pair)
+      all.push_back(names[number]);
+    return all;
+  }
+
   double *LinkClasses::row_of(base::Column &figures, const std::int32_t pair) const
   {
     return &figures[figures_of_one * of_pair.at(static_cast<std::size_t>(pair))];

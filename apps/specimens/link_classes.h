@@ -20,6 +20,9 @@ namespace apps
     /** @param of_pairs class of each pair of materials, in the order of dem::material_pair(); empty: there is one material */
     explicit LinkClasses(const std::vector<std::string> &of_pairs);
 
+    /** Class of each pair of materials, as given. */
+    std::vector<std::string> of_pairs() const;
+
     static constexpr std::size_t figures_of_one = 5; ///< made, broken, sum of damage, energy [J], area [m^2]
     /** Of a specimen as it is: a row of figures for each class. Nothing where there is one material. */
     base::Column figures(const dem::ObservedSpecimen &specimen) const;

@@ -22,7 +22,7 @@ namespace apps
    * Number and name the materials of a packing's particles by a mix: mortar, or aggregate. Says on the standard error what was reached.
    *
    * @param box that the aggregates lie in @param linked distance over the sum of two radii up to which particles are linked: aggregates with such
-   * ones are of different numbers; 0: all are of one @pre the mix is given @throws base::InputError
+   * ones are of different numbers @pre the mix is given @throws base::InputError
    */
   void take_mix(dem::Packing &packing, const MixSection &mix, const MixBox &box, double linked);
 
@@ -37,7 +37,7 @@ namespace apps
 
     nlohmann::json json() const;
     std::string    text() const; ///< one line
-    /** Requested passing, and that of the aggregates. @return why not, empty when drawn */
+    /** Curve, and content of each class of sieves, both as requested and as placed. @return why not, empty when drawn */
     std::string draw(const std::filesystem::path &file) const;
   };
 

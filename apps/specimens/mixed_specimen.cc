@@ -22,6 +22,7 @@ namespace apps
           specimen.refuse("Source", "there are no particles that the aggregates of Mix could be made of.");
         mix.check(specimen, walls(), dimension);
       }
+    mix.require_among(material.names(), specimen);
     if (!mix.given() || !material.named.empty())
       return;
     try
@@ -43,19 +44,46 @@ namespace apps
     return packed;
   }
 
+  MaterialSection MixedSpecimen::named_materials(const std::size_t numbers) const
+  {
+    return mix.given() && !material.named.empty() ? with_copies(mix, material, numbers) : material;
+  }
+
   void MixedSpecimen::number_part(dem::Packing &part, const std::string &origin) const
   {
-    const bool own = !material.named.empty(); // constants of their own, and links between aggregates as within one
+    std::size_t copies = 0; // of the aggregate
     if (mix.given())
-      take_mix(part, mix, box(part.periodic_cell), own ? 0 : source.interaction_ratio);
-    if (own || !mix.given())
-      material.number(part, dimension, origin);
+      {
+        take_mix(part, mix, box(part.periodic_cell), source.interaction_ratio);
+        copies = std::max<std::size_t>(part.material_names.size(), 2) - 2;
+      }
+    if (!mix.given() || !material.named.empty())
+      named_materials(material.named.size() + copies).number(part, dimension, origin);
   }
 
   void MixedSpecimen::number(dem::Packing &packed, const std::string &origin) const
   {
     number_part(packed, origin);
-    material.require_all(packed, origin);
+    require_all(packed, origin);
+  }
+
+  void MixedSpecimen::require_all(const dem::Packing &packed, const std::string &origin) const
+  {
+    if (material.named.empty())
+      return;
+    dem::Packing folded;
+    folded.material = packed.material;
+    for (std::int32_t &number : folded.material)
+      number = static_cast<std::int32_t>(number_in_scene(static_cast<std::size_t>(number)));
+    material.require_all(folded, origin);
+  }
+
+  std::size_t MixedSpecimen::number_in_scene(const std::size_t number) const
+  {
+    const std::vector<std::string> known = material.names();
+    return number < known.size() ?
+             number :
+             static_cast<std::size_t>(std::find(known.begin(), known.end(), mix.aggregate) - known.begin());
   }
 
   Eigen::Vector3d MixedSpecimen::walls() const
@@ -77,7 +105,7 @@ namespace apps
   {
     return mix.given() && material.named.empty() ?
              mix_materials(mix, material.only, std::max<std::size_t>(1, names.size())) :
-             material.materials();
+             named_materials(names.size()).materials();
   }
 
   std::vector<std::string> MixedSpecimen::link_classes(const std::vector<std::string> &names) const
@@ -88,8 +116,22 @@ namespace apps
     if (names.size() > 1)
       for (std::size_t one = 0; one < names.size(); ++one)
         for (std::size_t other = 0; other <= one; ++other)
-          classes.push_back(one == other ? names[one] : names[other] + "-" + names[one]);
+          classes.push_back(class_of(names, one, other));
     return classes;
+  }
+
+  std::string
+  MixedSpecimen::class_of(const std::vector<std::string> &names, const std::size_t one, const std::size_t other) const
+  {
+    const auto of = [&](const std::size_t number) {
+      const std::string &name = mix.given() ? names[number_in_scene(number)] : names[number];
+      return !mix.given() ? name : name == mix.mortar ? "mortar" : name == mix.aggregate ? "aggregate" : name;
+    };
+    const std::string first = of(other), second = of(one);
+    const auto        of_mix = [](const std::string &name) { return name == "mortar" || name == "aggregate"; };
+    if (one == other)
+      return second;
+    return mix.given() && of_mix(first) && of_mix(second) ? "interface" : first + "-" + second;
   }
 
   MixFigures MixedSpecimen::figures(const std::optional<Eigen::Vector3d> &cell) const

@@ -40,6 +40,8 @@ namespace apps
     void number(dem::Packing &packed, const std::string &origin) const;
     /** The same for a part of the particles, which need not have some of every material. */
     void number_part(dem::Packing &part, const std::string &origin) const;
+    /** @throws base::InputError for a material of section Materials that no particle, numbered as above, is of */
+    void require_all(const dem::Packing &packed, const std::string &origin) const;
 
     /** @param names of the packing's materials */
     dem::LinkMaterials materials(const std::vector<std::string> &names) const;
@@ -57,6 +59,10 @@ namespace apps
                              const std::optional<Eigen::Vector3d> &cell = std::nullopt) const;
 
   private:
+    /** Section Materials with further numbers of the aggregate, so many materials in all; without a mix as it is. */
+    MaterialSection named_materials(std::size_t numbers) const;
+    std::size_t     number_in_scene(std::size_t number) const; ///< of a material in section Materials
+    std::string     class_of(const std::vector<std::string> &names, std::size_t one, std::size_t other) const;
     Eigen::Vector3d walls() const; ///< edges of the specimen's box; zero where it has none
     /** Where the aggregates lie: all edges zero where there is none. */
     MixBox box(const std::optional<Eigen::Vector3d> &cell) const;

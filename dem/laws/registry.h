@@ -68,6 +68,8 @@ namespace dem
     /** @pre constants of this law @param between pairs that do not take the means of two materials */
     virtual LinkMaterials materials(const std::vector<NamedConstants> &of,
                                     const std::vector<PairConstants>  &between = {}) const = 0;
+    /** Constants of links between two materials where nothing else is said. @pre likewise @throws base::InputError where they have no mean */
+    virtual std::shared_ptr<LinkConstants> mean_of(const NamedConstants &one, const NamedConstants &other) const = 0;
   };
 
   /** All laws: those of dem/laws/all.h, and what was added since. */
@@ -100,16 +102,24 @@ namespace dem
     {
       std::vector<Material<Parameters>> list;
       for (const NamedConstants &material : of)
-        list.push_back(
-          {material.name, static_cast<const Constants &>(*material.constants).parameters, material.density});
+        list.push_back(material_of(material));
       std::vector<MaterialPair<Parameters>> pairs;
       for (const PairConstants &pair : between)
         pairs.push_back(
           {pair.one, pair.other, static_cast<const Constants &>(*pair.constants).parameters, pair.bonded});
       return Materials<Parameters>(std::move(list), std::move(pairs));
     }
+    std::shared_ptr<LinkConstants> mean_of(const NamedConstants &one, const NamedConstants &other) const override
+    {
+      return constants_of(Law::mean_of(material_of(one), material_of(other)));
+    }
 
   private:
+    static Material<Parameters> material_of(const NamedConstants &material)
+    {
+      return {material.name, static_cast<const Constants &>(*material.constants).parameters, material.density};
+    }
+
     /** Forwards the words of a choice without their type. */
     struct Choice
     {

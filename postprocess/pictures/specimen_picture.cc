@@ -11,6 +11,7 @@
 #include <cmath>
 #include <exception>
 #include <stdexcept>
+#include <string>
 
 namespace postprocess
 {
@@ -115,7 +116,42 @@ namespace postprocess
     {
       Eigen::Vector2d start, along; ///< [m]
       double          opening;      ///< relative displacement of the two particles along the link [m]
+      std::size_t     of = 0;       ///< number of the class of its link
     };
+
+    /** Each class of links once, in the order of the pairs of materials. */
+    std::vector<std::string> distinct(const std::vector<std::string> &classes)
+    {
+      std::vector<std::string> found;
+      for (const std::string &name : classes)
+        if (std::find(found.begin(), found.end(), name) == found.end())
+          found.push_back(name);
+      return found;
+    }
+
+    constexpr std::size_t unknown_class = 0;
+
+    /** Of each pair of materials the number of its class among the distinct ones. */
+    std::vector<std::size_t> numbers_of(const std::vector<std::string> &classes)
+    {
+      const std::vector<std::string> all = distinct(classes);
+      std::vector<std::size_t>       numbers;
+      for (const std::string &name : classes)
+        numbers.push_back(static_cast<std::size_t>(std::find(all.begin(), all.end(), name) - all.begin()));
+      return numbers;
+    }
+
+    /** Of a link. @param of_pairs as above */
+    std::size_t class_of(const dem::LinkOutput &links, const std::size_t l, const std::vector<std::size_t> &of_pairs)
+    {
+      const auto pair = l < links.pair.size() ? static_cast<std::size_t>(links.pair[l]) : of_pairs.size();
+      return pair < of_pairs.size() ? of_pairs[pair] : unknown_class;
+    }
+
+    // Of the classes, from the first: apart from the colours of damage and materials, also for colour-blind readers.
+    constexpr std::array<const char *, 5> class_colours = {"c1272d", "000000", "9c27b0", "00838f", "5d4037"};
+
+    const char *colour_of_class(const std::size_t number) { return class_colours[number % class_colours.size()]; }
 
     /** Two particles that a link joins, or a particle and the image of another. */
     struct LinkedPair
@@ -150,20 +186,23 @@ namespace postprocess
                    const Eigen::Vector3d     &normal,
                    const double               opening,
                    const Eigen::Vector2d     &middle,
-                   const double               radius)
+                   const double               radius,
+                   const std::size_t          of = unknown_class)
     {
       const Eigen::Vector2d across = view.projected(normal);
       if (opening <= 0 || across.norm() < 0.1) // closed, or seen from the front
         return;
       const Eigen::Vector2d along = Eigen::Vector2d(-across.y(), across.x()).normalized() * 2 * radius;
-      cracks.push_back({middle - along / 2, along, opening});
+      cracks.push_back({middle - along / 2, along, opening, of});
     }
 
-    void add_cracks_of_links(std::vector<CrackSegment> &cracks,
-                             const dem::ParticleOutput &particles,
-                             const dem::LinkOutput     &links,
-                             const PictureView         &view)
+    void add_cracks_of_links(std::vector<CrackSegment>      &cracks,
+                             const dem::ParticleOutput      &particles,
+                             const dem::LinkOutput          &links,
+                             const PictureView              &view,
+                             const std::vector<std::string> &classes)
     {
+      const std::vector<std::size_t> of_pairs = numbers_of(classes);
       for (std::size_t l = 0; l < links.ends.size(); ++l)
         {
           const bool has_crack = links.kind[l] == dem::LinkOutput::broken ||
@@ -178,7 +217,7 @@ namespace postprocess
               add_crack(cracks, view, normal, normal.dot(pair.displacement[1] - pair.displacement[0]),
                         0.5 * (view.on_paper(pair.place[0], pair.displacement[0]) +
                                view.on_paper(pair.place[1], pair.displacement[1])),
-                        pair.radius);
+                        pair.radius, class_of(links, l, of_pairs));
             }
         }
     }
@@ -202,16 +241,18 @@ namespace postprocess
         }
     }
 
-    std::vector<CrackSegment>
-    find_cracks(const dem::ParticleOutput &particles, const dem::LinkOutput &links, const PictureView &view)
+    std::vector<CrackSegment> find_cracks(const dem::ParticleOutput      &particles,
+                                          const dem::LinkOutput          &links,
+                                          const PictureView              &view,
+                                          const std::vector<std::string> &classes)
     {
       std::vector<CrackSegment> cracks;
-      add_cracks_of_links(cracks, particles, links, view);
+      add_cracks_of_links(cracks, particles, links, view, classes);
       add_cracks_of_glue(cracks, particles, links.glue, view);
       return cracks;
     }
 
-    /** The opening that is drawn in full red: few facets, of debris, are wider. */
+    /** The opening that is drawn in full colour: few facets, of debris, are wider. */
     double wide_opening(std::vector<CrackSegment> cracks)
     {
       const auto wide = cracks.begin() + static_cast<std::ptrdiff_t>(cracks.size() * 9 / 10);
@@ -220,10 +261,10 @@ namespace postprocess
       return wide->opening;
     }
 
-    /** Rows of start, direction, and red, the more opaque the wider (gnuplot's 0xAARRGGBB; AA = 0 is opaque). */
+    /** Rows of start, direction, and the colour of the class, the more opaque the wider (gnuplot's 0xAARRGGBB; AA = 0 is opaque). */
     std::string crack_rows(const std::vector<CrackSegment> &cracks, const double wide, const double scale)
     {
-      constexpr double red = 0xc1272d, one_alpha = 1 << 24;
+      constexpr double one_alpha = 1 << 24;
 
       std::string text;
       for (const CrackSegment &crack : cracks)
@@ -231,9 +272,35 @@ namespace postprocess
           const double transparency = std::round(255 * (1 - std::min(1.0, crack.opening / wide)));
           if (transparency < 240) // the rest could not be seen
             append_row(text, {scale * crack.start.x(), scale * crack.start.y(), scale * crack.along.x(),
-                              scale * crack.along.y(), transparency * one_alpha + red});
+                              scale * crack.along.y(),
+                              transparency * one_alpha + std::stoi(colour_of_class(crack.of), nullptr, 16)});
         }
       return text;
+    }
+
+    /** Add the crack faces, and to the legend what their colours mean. @param classes that there are, none: all are alike */
+    void draw_cracks(GnuplotJob                      &job,
+                     const std::vector<CrackSegment> &cracks,
+                     const std::vector<std::string>  &classes,
+                     const double                     scale)
+    {
+      const double      wide = wide_opening(cracks);
+      const std::string full = length_text(wide);
+      job.data["cracks"]     = crack_rows(cracks, wide, scale);
+      job.script += ", 'cracks' using 1:2:3:4:5 with vectors nohead lw 2.5 lc rgb variable notitle";
+      const auto name = [&](const std::size_t of, const std::string &title) {
+        job.script += std::string(", NaN with lines lw 2.5 lc rgb '#") + colour_of_class(of) + "' title " +
+                      gnuplot_quoted(title) + " noenhanced";
+      };
+      if (classes.size() < 2)
+        return name(unknown_class, "crack faces, full red from " + full);
+      for (std::size_t of = 0; of < classes.size(); ++of)
+        {
+          const auto count =
+            std::count_if(cracks.begin(), cracks.end(), [&](const auto &each) { return each.of == of; });
+          if (count > 0)
+            name(of, std::to_string(count) + " crack faces of " + classes[of] + ", full colour from " + full);
+        }
     }
   } // namespace
 
@@ -247,7 +314,7 @@ namespace postprocess
       {
         const PictureView view(particles, slab);
         const auto        shown  = view.shown();
-        const auto        cracks = find_cracks(particles, links, view);
+        const auto        cracks = find_cracks(particles, links, view, slab.classes);
 
         GnuplotJob          job;
         Eigen::AlignedBox2d seen = view.frame(shown);
@@ -270,13 +337,7 @@ namespace postprocess
         job.script += "'particles' using 1:2:3:4 with circles lc palette notitle";
         draw_materials(job, particles, view, shown, slab.materials, scale);
         if (!cracks.empty())
-          {
-            const double wide  = wide_opening(cracks);
-            job.data["cracks"] = crack_rows(cracks, wide, scale);
-            job.script += ", 'cracks' using 1:2:3:4:5 with vectors nohead lw 2.5 lc rgb variable notitle, " +
-                          std::string("NaN with lines lw 2.5 lc rgb '#c1272d' title 'crack faces, full red from ") +
-                          length_text(wide) + "'";
-          }
+          draw_cracks(job, cracks, distinct(slab.classes), scale);
         draw_with_gnuplot(path, job);
         return {};
       }

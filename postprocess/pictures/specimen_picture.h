@@ -17,9 +17,11 @@ namespace postprocess
       position; ///< of its middle plane [m], as the specimen was made; absent: the specimen's middle
     std::optional<double> thickness;   ///< [m]; absent: two mean particle diameters
     double                magnify = 1; ///< displacements are drawn this many times as large, which opens cracks to view
-    std::vector<std::string>                  materials; ///< names for the legend, where several; NAME+2 is NAME
-    std::vector<std::vector<Eigen::Vector2d>> bodies;    ///< polygons behind the particles, in the picture's plane [m]
-    std::vector<dem::LinkImage>               images;    ///< that the links lead to; empty: nothing is periodic
+    std::vector<std::string> materials; ///< names for the legend, where several; NAME+2 is NAME
+    std::vector<std::string>
+      classes; ///< of links, by their pair of materials: cracks of each have a colour; empty: of all one
+    std::vector<std::vector<Eigen::Vector2d>> bodies; ///< polygons behind the particles, in the picture's plane [m]
+    std::vector<dem::LinkImage>               images; ///< that the links lead to; empty: nothing is periodic
   };
 
   /**
@@ -28,7 +30,8 @@ namespace postprocess
    *
    * A crack is drawn as the faces between the particles of damaged or broken links that have opened: red segments across the links,
    * the redder the wider (the legend names the opening of full red), by the relative displacement of the two particles along the
-   * link. A link to a periodic image is seen at either side of the cell.
+   * link. With classes of links those of the first are red, and others of other colours, named in the legend. A link to a periodic image is
+   * seen at either side of the cell.
    *
    * @return empty when drawn, otherwise why not; nothing is thrown (see plot()).
    */

@@ -1,4 +1,6 @@
 #include "apps/bench/beygi_mixes.h"
+#include "apps/bench/scene_variant.h"
+#include "apps/runs/uniaxial/model.h"
 #include "apps/text/value_text.h"
 #include "tests/apps/program.h"
 #include "tests/apps/scratch_folder.h"
@@ -6,6 +8,7 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -45,6 +48,74 @@ TEST_CASE("the six concrete mixes have the published volumes, numbers and larges
 
 namespace
 {
+  /** What a row of the tutorial says in quotes behind each -s. */
+  std::vector<std::string> changes_of(const std::string &page, const std::string &mix)
+  {
+    const std::size_t begin = page.find("\n| " + mix + " | ");
+    REQUIRE(begin != std::string::npos);
+    const std::string        row = page.substr(begin + 1, page.find('\n', begin + 1) - begin - 1);
+    std::vector<std::string> changes;
+    for (std::size_t at = row.find("-s \""); at != std::string::npos; at = row.find("-s \"", at + 1))
+      changes.push_back(row.substr(at + 4, row.find('"', at + 4) - at - 4));
+    return changes;
+  }
+} // namespace
+
+TEST_CASE("the changes that the tutorial names make the shipped cube each of the six mixes", "[apps][mesoscale]")
+{
+  const std::string page = content_of(places::sources() + "/doc/tutorials/mesoscale.md");
+  for (const apps::beygi::Mix &mix : apps::beygi::mixes())
+    {
+      INFO(mix.name);
+      const auto changes = changes_of(page, mix.name);
+      CHECK(changes.empty() == (mix.name == "l-19"));
+      const apps::CheckedScene scene = apps::read_scene(places::sources() + "/apps/scenes/mesoscale_cube.prm", changes);
+      const apps::MixSection   wanted = mix.section({}),
+                             &made    = apps::model_of_kind<apps::UniaxialModel>(scene, "uniaxial").mix;
+      CHECK(made.all_aggregates() == Approx(wanted.all_aggregates()).epsilon(1e-12));
+      CHECK(made.prescribed_content() == Approx(wanted.prescribed_content()).epsilon(1e-12));
+      const Eigen::Vector3d box = Eigen::Vector3d::Constant(0.05);
+      const auto            one = made.sizes_in(box).diameters, other = wanted.sizes_in(box).diameters;
+      REQUIRE(one.size() == other.size());
+      for (std::size_t k = 0; k < one.size(); ++k)
+        CHECK(one[k] == Approx(other[k]).epsilon(1e-9));
+    }
+}
+
+TEST_CASE("ratios of the six mixes are judged by the band of the published simulation, and by its trend",
+          "[apps][mesoscale]")
+{
+  using namespace apps::beygi;
+  const auto of = [](const std::string &name) -> const Mix & {
+    return *std::find_if(mixes().begin(), mixes().end(), [&](const Mix &mix) { return mix.name == name; });
+  };
+  const Mix &middle = of("l-12.5"), &largest = of("l-19"), &high = of("h-19");
+  // Published: 1.049, 1.006, 1.045, 1.111 and 1.060, 0.992, 1.053, 1.295, within 0.06, the last of each within 0.25.
+  CHECK(judgement(middle, 0.1, modulus, 1.042) == "within");
+  CHECK(judgement(middle, 0.1, modulus, 1.108) == "within");
+  CHECK(judgement(middle, 0.1, modulus, 1.110) == "outside");
+  CHECK(judgement(middle, 0.1, modulus, 0.995) == "within, against the trend");
+  CHECK(judgement(middle, 0.1, modulus, 0.98) == "outside, against the trend");
+  CHECK(judgement(middle, 0.1, tension, 1.006) == "within");
+  CHECK(judgement(middle, 0.1, tension, 1.03) == "within, against the trend");
+  CHECK(judgement(middle, 0.1, tension, 0.945) == "outside");
+  CHECK(judgement(largest, 0.1, compression, 1.061) == "within");
+  CHECK(judgement(largest, 0.1, compression, 1.114) == "outside");
+  CHECK(judgement(largest, 0.1, fracture, 1.26) == "within");
+  CHECK(judgement(largest, 0.1, fracture, 1.55) == "outside");
+  CHECK(judgement(largest, 0.1, fracture, 1.04) == "outside");
+  // What is not simulated ratio by ratio has its trend alone.
+  CHECK(judgement(largest, 0.05, fracture, 1.55).empty());
+  CHECK(judgement(largest, 0.05, fracture, 0.94) == "against the trend");
+  CHECK(judgement(high, 0.1, tension, 0.5).empty());
+  CHECK(judgement(high, 0.1, compression, 0.99) == "against the trend");
+  CHECK(judgement(of("l-9.5"), 0.1, modulus, 1).empty());
+  CHECK_FALSE(band_of(high, 0.1, modulus));
+  CHECK(band_of(middle, 0.1, fracture)->low == Approx(0.861));
+}
+
+namespace
+{
   /** Work of fracture in the row that begins so. */
   double work_of(const std::string &csv, const std::string &row)
   {
@@ -75,6 +146,10 @@ TEST_CASE("bench mesoscale has a row per mix and geometry, ratios beside the pub
   CHECK_THAT(table, Contains("| l-9.5 | 0.1 |") && Contains("| 1 | 1 | 1 | 1 |"));
   CHECK_THAT(table, Contains("(1.149, 1.060)") && Contains("(0.935, 0.992)") && Contains("(1.257, 1.053)") &&
                       Contains("(1.344, 1.295)")); // experiment, simulation
+  CHECK_THAT(table, Contains("of 4 ratios within the band of the published simulation"));
+  const std::string ratios = content_of(folder / "bench/mesoscale_ratios.csv");
+  CHECK_THAT(ratios, Contains("\nl-19,0.1,E,") && Contains("\nl-19,0.1,G_f,") && Contains(",1.149,1.06,1,1.12,\"") &&
+                       !Contains("\nl-9.5"));
 
   // The same geometries, and the work of all of the curve's tail.
   const Outcome followed = run(folder.path(), {"bench", "mesoscale", scenes + "mesoscale_cube.prm", "--quick",

@@ -210,6 +210,7 @@ TEST_CASE("Mix: a cell has aggregates over its faces and figures by class of lin
   CHECK_THAT(energy, WithinRel(still["tests"][0]["energy"]["damage"].get<double>(), 1e-6));
   CHECK(energy > 0);
   CHECK(std::filesystem::exists(folder / "still1/grading.png"));
+  CHECK(std::filesystem::exists(folder / "moving1/grading.png"));
 }
 
 TEST_CASE("Mix: an interrupted cell of concrete goes on to the same bits", "[apps][mesoscale][slow][S13]")
@@ -257,25 +258,99 @@ TEST_CASE("Mix: homogenise takes it from a scene, and refuses what is none by it
   CHECK_THAT(refused.err, Contains("less passes than the finer sieve"));
 }
 
-TEST_CASE("Mix: with Materials each has constants of its own, and particles that lie in an aggregate are of it",
-          "[apps][mesoscale]")
+namespace
+{
+  /** The constants that follow from the factors of the mix, said outright in sections Materials and Interfaces. */
+  std::string with_constants_of_their_own(std::string scene)
+  {
+    const auto begin = scene.find("  subsection CPM"), end = scene.find("subsection Loading"),
+               head             = scene.find("subsection Material\n");
+    const std::string constants = scene.substr(begin, scene.rfind("end\n", end) - begin);
+    const std::string stone =
+      replaced(replaced(replaced(constants, "25e9", "62.5e9"), "1e-4", "2e-4"), "= 3e6", "= 15e6");
+    const auto named = [](const std::string &name, const std::string &block) {
+      return "  subsection " + name + "\n  set Law = CPM\n" + block + "  end\n";
+    };
+    return scene.replace(head, end - head,
+                         "subsection Materials\n" + named("mortar", constants) + named("aggregate", stone) +
+                           "end\nsubsection Interfaces\n  subsection zone\n    set Material = mortar\n"
+                           "    set Other material = aggregate\n    set Constants = factors\n"
+                           "    set Stiffness factor = 0.5\n    set Strength factor = 0.5\n"
+                           "    set Ductility factor = 0.1\n  end\nend\n");
+  }
+} // namespace
+
+TEST_CASE(
+  "Mix: constants of their own in Materials and Interfaces give the bits and classes of the same ones by factors",
+  "[apps][mesoscale][slow]")
 {
   const ScratchFolder folder;
   folder.file("packing.txt", uneven_lattice(6));
-  std::string scene = still_cell();
-  const auto  begin = scene.find("  subsection CPM"), end = scene.find("subsection Loading");
-  const auto  head = scene.find("subsection Material\n");
-  REQUIRE(head < begin);
-  const std::string constants = scene.substr(begin, scene.rfind("end\n", end) - begin);
-  const auto        named     = [&](const std::string &name, const std::string &block) {
-    return "subsection " + name + "\n  set Law = CPM\n" + block + "end\n";
-  };
-  scene.replace(head, end - head,
-                "subsection Materials\n" + named("mortar", constants) +
-                  named("aggregate", replaced(constants, "25e9", "50e9")) + "end\n");
-  folder.file("x.prm", scene);
-  const Outcome outcome = run(folder.path(), {"check", "x.prm"});
-  INFO(outcome.err << scene);
-  CHECK(outcome.status == 0);
-  CHECK_THAT(outcome.out, Contains("mortar") && Contains("aggregate") && !Contains("aggregate+2"));
+  for (const auto &[name, scene] : {std::pair{"moving", moving_cell()}, {"still", still_cell()}})
+    {
+      folder.file("factors.prm", scene);
+      folder.file("own.prm", with_constants_of_their_own(scene));
+      for (const std::string way : {"factors", "own"})
+        {
+          const Outcome outcome = run(folder.path(), {"run", way + ".prm", "-o", name + way});
+          INFO(name << ' ' << way << ": " << outcome.err);
+          REQUIRE(outcome.status == 0);
+        }
+      CHECK(content_of(folder / (name + std::string("own/series.csv"))) ==
+            content_of(folder / (name + std::string("factors/series.csv"))));
+      const auto factors = summary_of(folder, name + std::string("factors")),
+                 own     = summary_of(folder, name + std::string("own"));
+      CHECK(own["materials"] == factors["materials"]);
+      CHECK(own["materials"].dump().find("aggregate+2") != std::string::npos); // some are beside each other
+      const auto classes = [](const nlohmann::json &summary) {
+        return summary.contains("link_classes") ? summary["link_classes"] : summary["tests"][0]["link_classes"];
+      };
+      CHECK(classes(own).size() == 3);
+      CHECK(classes(own) == classes(factors));
+    }
+  folder.file("bad.prm", replaced(with_constants_of_their_own(moving_cell()), "    set Content ",
+                                  "    set Aggregate = gravel\n    set Content "));
+  const Outcome refused = run(folder.path(), {"check", "bad.prm"});
+  CHECK(refused.status == 2);
+  CHECK_THAT(refused.err, Contains("Specimen/Mix/Aggregate") && Contains("Materials"));
+}
+
+namespace
+{
+  /** A box of concrete, made by compaction, in motion. */
+  std::string moving_box()
+  {
+    std::string scene =
+      replaced(scene_with_file(), "  set Source            = file\n  set File              = packing.txt\n",
+               "  set Source = generator\n  set Box size = 0.026, 0.026, 0.032\n"
+               "  subsection Generator\n    set Particle radius = 0.9e-3\n  end\n" +
+                 replaced(mix_of_two_sizes(), "6e-3: 100, 4e-3: 0", "9e-3: 100, 5e-3: 0"));
+    scene = replaced(scene, "5e-3: 0\n    set Smallest aggregate = 4e-3", "5e-3: 0\n    set Smallest aggregate = 5e-3");
+    scene = replaced(scene, "  set Grip thickness = 0.5e-3\n", "  set Tests = tension\n  set Grip thickness = 2e-3\n");
+    scene = replaced(scene, "Strain rate = 4\n", "Strain rate = 10\n");
+    return replaced(scene, "  subsection Compression\n    set Strain rate = 20\n  end\n", "");
+  }
+} // namespace
+
+TEST_CASE(
+  "Mix: a moving specimen closes its energy, has the same bits with two threads, and interrupted goes on to them",
+  "[apps][mesoscale][slow][S13]")
+{
+  const ScratchFolder folder;
+  folder.file("x.prm", moving_box() + "subsection Output\n  set Checkpoint interval = 0.2\nend\n");
+  const auto series = [](const std::filesystem::path &results) { return content_of(results / "series.csv"); };
+  goes_on_to_the_same_bits(folder, {{"run", "x.prm", "--threads", "2"}, {"checkpoint.h5"}, series}, {SIGINT, SIGKILL});
+  const Outcome alone = run(folder.path(), {"run", "x.prm", "-o", "alone", "--threads", "1"});
+  REQUIRE(alone.status == 0);
+  CHECK(series(folder / "alone") == series(folder / "whole"));
+
+  const auto summary = summary_of(folder, "results");
+  CHECK(summary["cost"]["particles"] > 3000);
+  CHECK_THAT(summary["mix"]["content"].get<double>(), WithinRel(0.3, 0.1));
+  const auto &test = summary["tests"][0];
+  CHECK(std::abs(test["energy"]["balance_error"].get<double>()) < 1e-4);
+  std::size_t broken = 0;
+  for (const auto &each : test["link_classes"])
+    broken += each["broken"].get<std::size_t>();
+  CHECK(broken > 0);
 }

@@ -173,6 +173,80 @@ TEST_CASE("Mix: cells behind integration points have the stiffness that homogeni
   CHECK_THAT(std::stod(found[1]), WithinRel(json["relaxed"]["stiffness"][0][0].get<double>(), 1e-3));
 }
 
+TEST_CASE("Mix: cells in motion may have several packings, of as many numbers of the aggregate as that with most",
+          "[apps][mesoscale][cells]")
+{
+  const ScratchFolder folder;
+  folder.file("x.prm", R"(set Kind = continuum
+subsection Model
+  set Dimension = 3
+  set Analysis  = explicit
+end
+subsection Mesh
+  set Source = box
+  subsection Box
+    set Size = 0.1, 0.1, 0.1
+  end
+end
+subsection Materials
+  subsection solid
+    set Law     = cells
+    set Density = 2000
+    subsection cells
+      set Answer           = motion
+      set Packings         = 8
+      set Particle density = 4800
+      set Particle damping = 0.2
+      subsection Specimen
+        set Source            = generator
+        set Interaction ratio = 1.5
+        subsection Generator
+          set Particle radius = 0.001
+          set Cell particles  = 300
+          set Seed            = 10
+        end
+        subsection Mix
+          set Content            = 0.35
+          set Grading            = passing
+          set Curve              = 6e-3: 100, 4e-3: 0
+          set Smallest aggregate = 4e-3
+          set Sizes              = drawn
+          set Clearance          = 0.01
+        end
+      end
+      subsection Material
+        set Law = CPM
+        subsection CPM
+          set Normal modulus       = 25e9
+          set Shear ratio          = 0.2
+          set Limit elastic strain = 1e-4
+          set Relative ductility   = 30
+          set Cohesion             = 3e6
+          set Friction coefficient = 0.8
+        end
+      end
+    end
+  end
+end
+subsection Boundary conditions
+  subsection left
+    set Displacement x = 0
+  end
+  subsection right
+    set Displacement x = 1e-3*t
+  end
+end
+subsection Motion
+  set End time = 2e-5
+end
+)");
+  const Outcome outcome = run(folder.path(), {"run", "x.prm", "-o", "results"});
+  INFO(outcome.err);
+  REQUIRE(outcome.status == 0);
+  const auto summary = nlohmann::json::parse(content_of(folder / "results/summary.json"));
+  CHECK(summary["energy"]["balance_error"].get<double>() < 1e-6);
+}
+
 namespace
 {
   /** A cube of 40 mm, its faces moved as a homogeneous strain moves them, with or without aggregates of 15 mm. */

@@ -178,12 +178,28 @@ TEST_CASE(
   CHECK_THROWS_WITH(model.check({}), Contains("Body/Mix/Aggregate") && Contains("Materials"));
   model.materials.mix.aggregate = "gravel";
   model.check({});
-  const pd::Bonds bonds = model.bonds();
-  CHECK(bonds.mixture().materials.size() == 2);
-  CHECK(std::count(bonds.mixture().of.begin(), bonds.mixture().of.end(), 1) > 1000);
+  const pd::Mixture made = model.bonds().mixture();
+  CHECK(std::count_if(made.of.begin(), made.of.end(), [](const std::int32_t number) { return number > 0; }) > 1000);
 
-  model.size    = {0.04};
-  model.spacing = 1e-3;
+  // Constants that the factors give, said outright, with those of the interface: every bond has the same, between aggregates as well.
+  const auto by_factors         = peridynamic_block(round_ones(0.25, 6e-3, 12e-3), 1e-3);
+  model.spacing                 = 1e-3;
+  model.materials.mix.aggregate = "aggregate";
+  model.materials.named         = {{"mortar", 20e9, 2400, 1e-4, 0}, {"aggregate", 50e9, 2400, 2e-4, 0}};
+  model.materials.interfaces    = {{"zone", "mortar", "aggregate", true, 10e9, 1e-4, 0}};
+  const pd::Mixture own = model.bonds().mixture(), factors = by_factors.bonds().mixture();
+  REQUIRE(factors.materials.size() > 2);
+  CHECK(own.of == factors.of);
+  REQUIRE(own.pairs.size() == factors.pairs.size());
+  for (std::size_t pair = 0; pair < own.pairs.size(); ++pair)
+    {
+      CHECK_THAT(own.pairs[pair].young_modulus, WithinRel(factors.pairs[pair].young_modulus, 1e-12));
+      CHECK_THAT(own.pairs[pair].critical_stretch, WithinRel(factors.pairs[pair].critical_stretch, 1e-12));
+    }
+
+  model.materials.named.clear();
+  model.materials.interfaces.clear();
+  model.size = {0.04};
   CHECK_THROWS_WITH(model.check({}), Contains("Mix") && Contains("rod"));
   const auto coarse = peridynamic_block(round_ones(0.001, 4e-4, 5e-4), 4e-3);
   CHECK_THROWS_WITH(coarse.bonds(), Contains("Body/Mix") && Contains("no node"));

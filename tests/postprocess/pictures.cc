@@ -305,6 +305,29 @@ TEST_CASE("a material of several numbers is one in colour and legend", "[postpro
   CHECK(picture(three, {"mortar", "aggregate", "steel+2"}) != picture(two, {"mortar", "aggregate", "other"}));
 }
 
+TEST_CASE("cracks of several classes of links have a colour and a line in the legend each", "[postprocess]")
+{
+  const ScratchFolder folder;
+  const auto          particles = postprocess_tests::numbered_particles(6); // ever further apart
+  dem::LinkOutput     links     = postprocess_tests::numbered_links(3);
+  links.ends                    = {{0, 1}, {3, 4}};
+  links.kind                    = {dem::LinkOutput::broken, dem::LinkOutput::broken};
+  links.damage                  = {1, 1};
+  const auto found              = [&](const std::vector<std::int32_t> &pairs, const std::vector<std::string> &classes) {
+    PictureSlab slab;
+    slab.classes = classes;
+    links.pair   = pairs;
+    REQUIRE(picture_of_specimen(folder / "p.png", particles, links, "title", slab) == "");
+    return content_of(folder / "p.png");
+  };
+  const std::vector<std::string> mix  = {"mortar", "interface", "aggregate"};
+  const std::string              both = found({0, 1}, mix);
+  CHECK(both != found({0, 0}, mix));
+  CHECK(both != found({0, 1}, {"mortar", "zone", "aggregate"}));
+  CHECK(both == found({0, 3}, {"mortar", "interface", "aggregate", "interface"})); // by another number of the aggregate
+  CHECK(found({0, 1}, {}) == found({0, 0}, {}));
+}
+
 TEST_CASE("lengths are drawn in the unit of their size, with ticks that have room for their labels", "[postprocess]")
 {
   CHECK(std::string(length_unit(12).name) == "m");

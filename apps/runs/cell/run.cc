@@ -147,7 +147,9 @@ namespace apps
     postprocess::PictureSlab  slab;
     slab.axis      = model.physics.dimension == 2 ? 2 : 1;
     slab.materials = packing.material_names;
-    slab.images    = dem::link_images(*specimen, joined, state);
+    if (model.mix.given())
+      slab.classes = model.mixed().link_classes(packing.material_names);
+    slab.images = dem::link_images(*specimen, joined, state);
     return postprocess::picture_of_specimen(file, state, joined, "Periodic cell at the end of its path", slab);
   }
 
@@ -166,6 +168,7 @@ namespace apps
   {
     warn_of_missing("curve.png", report(0).draw_curve(folder / "curve.png"));
     warn_of_missing("cell_crack.png", draw_crack(folder / "cell_crack.png"));
+    warn_of_missing("grading.png", model.mixed().draw_grading(folder, packing.periodic_cell));
   }
 
   RunResult run(const CellModel &model, const RunRequest &request)

@@ -19,7 +19,7 @@ namespace apps
    * The work of a periodic cell along its path.
    *
    * In the result folder, besides what every run has (run_files.h): packing.h5, cell_particles.pvd and cell_links.pvd with their
-   * snapshots, and at the end curve.png and cell_crack.png.
+   * snapshots, and at the end curve.png, cell_crack.png and, of a mix, grading.png.
    */
   class CellRun : public RunWork
   {

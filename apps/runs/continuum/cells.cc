@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <limits>
 #include <stdexcept>
 
@@ -38,9 +39,6 @@ namespace apps
     source.check(block, dimension);
     material.check(block, dimension);
     mixed().check(block);
-    if (moves && mix.given() && packings > 1 && material.named.empty())
-      block.refuse("Packings", "cells in motion share their materials, and aggregates of another packing may want more "
-                               "of them. Leave it at 1, or give sections Materials.");
     if (moves && (localised == coupling::Localised::crack_band || localised == coupling::Localised::refuse))
       block.refuse("When localised",
                    "a cell in motion has no tangent, and cannot be evaluated twice. Take stop or go on, "
@@ -85,7 +83,12 @@ namespace apps
   {
     coupling::CellPointsParameters still;
     still.cells = prepared();
-    coupling::MovingCellsParameters p{packed, mixed().materials(packed.front().material_names), {}, steps, {}};
+    // Cells share their materials: those of the packing with most numbers of the aggregate are those of all.
+    const auto most =
+      std::max_element(packed.begin(), packed.end(), [](const dem::Packing &one, const dem::Packing &other) {
+        return one.material_names.size() < other.material_names.size();
+      });
+    coupling::MovingCellsParameters p{packed, mixed().materials(most->material_names), {}, steps, {}};
     p.stiffness                  = coupling::CellPoints(still, plane).elastic_stiffness();
     p.communicator               = MPI_COMM_WORLD;
     p.stops_localised            = localised == coupling::Localised::stop;

@@ -194,8 +194,10 @@ namespace apps
 
       std::string draw_cracks(const std::filesystem::path &file, const std::string &title) const override
       {
-        return draw_cracks_in_solid(*solid, motion->displacement(), body.specimen(), material_names, file,
-                                    fmt::format("{} at {:.3g} s", title, time()));
+        return draw_cracks_in_solid(*solid, motion->displacement(), body.specimen(), material_names,
+                                    model.particles.mix.given() ? body.link_classes().of_pairs() :
+                                                                  std::vector<std::string>(),
+                                    file, fmt::format("{} at {:.3g} s", title, time()));
       }
 
       void visit_state(RunState &state) override

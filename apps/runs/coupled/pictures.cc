@@ -59,6 +59,7 @@ namespace apps
                                    const fem::Vector              &displacement,
                                    const dem::ObservedSpecimen    &specimen,
                                    const std::vector<std::string> &material_names,
+                                   const std::vector<std::string> &link_classes,
                                    const std::filesystem::path    &file,
                                    const std::string              &title)
   {
@@ -66,6 +67,7 @@ namespace apps
     postprocess::PictureSlab  slab;
     slab.magnify         = magnification(particles);
     slab.materials       = material_names;
+    slab.classes         = link_classes;
     fem::Vector enlarged = displacement;
     enlarged *= slab.magnify;
     enlarged.update_ghost_values();
@@ -85,9 +87,9 @@ namespace apps
   template std::string draw_solid_and_particles(const fem::Solid<dim> &, const fem::Vector &,                          \
                                                 const dem::ParticleOutput &, const std::filesystem::path &,            \
                                                 const std::string &);                                                  \
-  template std::string draw_cracks_in_solid(const fem::Solid<dim> &, const fem::Vector &,                              \
-                                            const dem::ObservedSpecimen &, const std::vector<std::string> &,           \
-                                            const std::filesystem::path &, const std::string &);
+  template std::string draw_cracks_in_solid(                                                                           \
+    const fem::Solid<dim> &, const fem::Vector &, const dem::ObservedSpecimen &, const std::vector<std::string> &,     \
+    const std::vector<std::string> &, const std::filesystem::path &, const std::string &);
   BRECCIA_INSTANTIATE(2)
   BRECCIA_INSTANTIATE(3)
 #undef BRECCIA_INSTANTIATE

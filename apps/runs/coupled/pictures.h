@@ -26,6 +26,7 @@ namespace apps
                                    const fem::Vector              &displacement,
                                    const dem::ObservedSpecimen    &specimen,
                                    const std::vector<std::string> &material_names,
+                                   const std::vector<std::string> &link_classes, ///< empty: cracks are all alike
                                    const std::filesystem::path    &file,
                                    const std::string              &title);
 } // namespace apps

@@ -176,6 +176,7 @@ namespace apps
     if (model.particles.bonded() || specimen.logged_breaks() > 0) // glue may have a law of its own
       BreakResults{specimen, packing.material_names}.write(folder);
     warn_of_missing("coupled.png", body->draw(folder / "coupled.png", title));
+    warn_of_missing("grading.png", model.particles.mixed().draw_grading(folder));
     warn_of_missing("damage.png", body->draw_damage(folder / "damage.png", title));
     warn_of_missing("promoted.png", body->draw_promotion(folder / "promoted.png", title));
     const auto [horizontal, vertical] = model.curve(body->columns(), body->reported());

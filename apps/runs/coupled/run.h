@@ -19,7 +19,7 @@ namespace apps
    * The work of a scene of kind "coupled".
    *
    * In the result folder, besides what every run has (run_files.h): packing.h5; coupled.pvd, which shows solid, particles and surfaces
-   * together, with the snapshots and lists of each; and at the end curve.png, coupled.png (a cut through both), and of bonded particles state.h5 and crack.png.
+   * together, with the snapshots and lists of each; and at the end curve.png, coupled.png (a cut through both), of bonded particles state.h5 and crack.png, and of a mix grading.png.
    */
   class CoupledRun : public SampledMotion
   {

@@ -154,7 +154,7 @@ namespace apps
     for (const AddedParticles *one : in_order())
       append(whole, numbered(*one, specimen.material, specimen.dimension));
     const std::string origin = added.empty() ? origin_of(specimen.source) : "Specimen and More particles";
-    specimen.material.require_all(whole, origin);
+    specimen.require_all(whole, origin);
     dem::check_packing(whole, origin);
     dem::check_overlaps(whole, origin, specimen.dimension, one_body(whole));
     return whole;

@@ -303,6 +303,8 @@ namespace apps
     postprocess::PictureSlab slab;
     slab.axis      = model.physics.dimension == 2 ? 2 : 1;
     slab.materials = packing.material_names;
+    if (model.mix.given())
+      slab.classes = body->link_classes().of_pairs();
     return postprocess::picture_of_specimen(file, body->specimen().particles(), body->specimen().links(), "At the end",
                                             slab);
   }

@@ -81,12 +81,8 @@ namespace apps
     if (mix.given() && dimension == 1)
       body.refuse("Mix", "a rod has no aggregates.");
     mix.check(body, size, dimension);
-    if (!mix.given() || named.empty())
-      return;
-    const std::vector<std::string> known = names();
-    for (const auto &[entry, name] : {std::pair{"Mortar", mix.mortar}, std::pair{"Aggregate", mix.aggregate}})
-      if (std::find(known.begin(), known.end(), name) == known.end())
-        body.at("Mix").refuse(entry, "is not in section Materials. " + did_you_mean(name, known));
+    if (!named.empty())
+      mix.require_among(names(), body);
   }
 
   void PeridynamicMaterialsSection::check_interfaces(const base::EntryPath &root, const int dimension) const
@@ -112,7 +108,13 @@ namespace apps
     return all;
   }
 
-  std::vector<std::int32_t> PeridynamicMaterialsSection::numbers(const pd::Grid &grid) const
+  std::size_t PeridynamicMaterialsSection::number(const std::string &name) const
+  {
+    const std::vector<std::string> known = names();
+    return static_cast<std::size_t>(std::find(known.begin(), known.end(), name) - known.begin());
+  }
+
+  std::vector<std::int32_t> PeridynamicMaterialsSection::numbers(const pd::Grid &grid, const double horizon) const
   {
     const std::vector<std::string> known = names();
     std::vector<Eigen::Vector3d>   places;
@@ -121,69 +123,83 @@ namespace apps
     std::vector<std::int32_t> of_nodes(places.size(), 0);
     if (mix.given())
       {
-        const auto number = [&](const std::string &name) {
-          return static_cast<std::int32_t>(std::find(known.begin(), known.end(), name) - known.begin());
-        };
-        std::size_t count = 0;
-        const auto  in    = aggregates(grid, count);
+        const auto mortar = static_cast<std::int32_t>(number(mix.mortar)),
+                   stone  = static_cast<std::int32_t>(number(mix.aggregate)),
+                   copies = static_cast<std::int32_t>(known.size()) - 1; // follow the materials
+        const auto in     = aggregates(grid, horizon);
         for (std::size_t n = 0; n < in.size(); ++n)
-          of_nodes[n] = number(in[n] == dem::in_mortar ? mix.mortar : mix.aggregate);
+          of_nodes[n] = in[n] == dem::in_mortar ? mortar : in[n] == 0 ? stone : copies + in[n];
       }
     number_by_regions(regions, known, places, grid.dimension() == 1 ? 3 : grid.dimension(), of_nodes);
     for (std::size_t k = 0; k < known.size(); ++k)
-      if (std::find(of_nodes.begin(), of_nodes.end(), static_cast<std::int32_t>(k)) == of_nodes.end())
+      if (std::none_of(of_nodes.begin(), of_nodes.end(), [&](const std::int32_t n) {
+            return static_cast<std::size_t>(n) < known.size() ? static_cast<std::size_t>(n) == k :
+                                                                known[k] == mix.aggregate;
+          }))
         throw base::InputError("Materials/" + known[k] +
                                ": no node is of it. Take it out, or check Regions and their units (metres).");
     return by_place(grid, of_nodes);
   }
 
-  std::vector<std::int32_t> PeridynamicMaterialsSection::aggregates(const pd::Grid &grid, std::size_t &count) const
+  std::vector<std::int32_t> PeridynamicMaterialsSection::aggregates(const pd::Grid &grid, const double horizon) const
   {
     const Eigen::Vector3d        size    = grid.body().size;
     const MixBox                 box     = grid.dimension() == 2 ? MixBox{mix.box_behind(size), true} : MixBox{size};
     const MixFigures             figures = mix_figures(mix, box);
     std::vector<Eigen::Vector3d> places;
+    dem::Packing                 nodes; // as far apart as the grid has them: within the horizon of each other is near
     for (const std::size_t i : grid.nodes())
-      places.emplace_back(grid.position(i) + 0.5 * size); // the body lies about the origin
+      {
+        places.emplace_back(grid.position(i) + 0.5 * size); // the body lies about the origin
+        nodes.centre.push_back(grid.position(i));
+        nodes.radius.push_back(0.5 * grid.spacing());
+      }
     give_note("mix: " + figures.text());
-    count   = figures.placed.structure.inclusions.size();
     auto in = dem::aggregates_at(figures.placed.structure, places);
     if (std::all_of(in.begin(), in.end(), [](const std::int32_t a) { return a == dem::in_mortar; }))
       throw base::InputError("Body/Mix: no node lies in an aggregate: make Grid/Spacing smaller than these are.");
+    constexpr double beyond = 1 + 1e-6; // a node at the horizon to rounding lies within it
+    const auto       copy =
+      dem::numbers_apart(nodes, in, figures.placed.structure.inclusions.size(), beyond * horizon / grid.spacing());
+    for (std::int32_t &a : in)
+      a = a == dem::in_mortar ? a : copy[static_cast<std::size_t>(a)];
     return in;
   }
 
   pd::Mixture
   PeridynamicMaterialsSection::mixture_of(const pd::Material &mortar, const pd::Grid &grid, const double horizon) const
   {
-    std::size_t  count = 0;
-    const auto   in    = aggregates(grid, count);
-    dem::Packing nodes; // as far apart as the grid has them: within the horizon of each other is near
-    for (const std::size_t i : grid.nodes())
-      {
-        nodes.centre.push_back(grid.position(i));
-        nodes.radius.push_back(0.5 * grid.spacing());
-      }
-    constexpr double beyond = 1 + 1e-6; // a node at the horizon to rounding lies within it
-    const auto       copy   = dem::numbers_apart(nodes, in, count, beyond * horizon / grid.spacing());
-    const auto       scaled = [&mortar](const dem::ConstantFactors &by) {
+    const auto in     = aggregates(grid, horizon);
+    const auto scaled = [&mortar](const dem::ConstantFactors &by) {
       pd::Material made = mortar;
       made.young_modulus *= by.stiffness;
       made.critical_stretch *= by.strength / by.stiffness;
       return made;
     };
-    std::vector<pd::Material> all(2 + static_cast<std::size_t>(*std::max_element(copy.begin(), copy.end())),
+    std::vector<pd::Material> all(2 + static_cast<std::size_t>(*std::max_element(in.begin(), in.end())),
                                   scaled(mix.aggregates));
     all.front() = mortar;
     std::vector<std::int32_t> of_nodes;
     for (const std::int32_t a : in)
-      of_nodes.push_back(a == dem::in_mortar ? 0 : 1 + copy[static_cast<std::size_t>(a)]);
+      of_nodes.push_back(a == dem::in_mortar ? 0 : 1 + a);
     pd::Mixture        made(all, by_place(grid, of_nodes));
     const pd::Material interface = scaled(mix.interface);
     for (std::size_t one = 0; one < all.size(); ++one)
       for (std::size_t other = 0; other < one; ++other)
         made.between(one, other) = {interface.young_modulus, interface.critical_stretch};
     return made;
+  }
+
+  void PeridynamicMaterialsSection::bond_copies(pd::Mixture &made) const
+  {
+    const std::size_t mortar = number(mix.mortar), stone = number(mix.aggregate);
+    const auto        is_stone = [&](const std::size_t one) { return one == stone || one >= named.size(); };
+    for (std::size_t copy = named.size(); copy < made.materials.size(); ++copy)
+      {
+        for (std::size_t other = 0; other < copy; ++other)
+          made.between(copy, other) = made.between(is_stone(other) ? mortar : other, stone);
+        made.between(copy, copy) = made.between(stone, stone);
+      }
   }
 
   pd::Mixture PeridynamicMaterialsSection::mixture(const pd::Grid &grid, const double horizon) const
@@ -203,11 +219,10 @@ namespace apps
     std::vector<pd::Material> several;
     for (const PeridynamicConstants &each : named)
       several.push_back(material(each));
-    pd::Mixture                    made(several, numbers(grid));
-    const std::vector<std::string> known  = names();
-    const auto                     number = [&](const std::string &name) {
-      return static_cast<std::size_t>(std::find(known.begin(), known.end(), name) - known.begin());
-    };
+    const std::vector<std::int32_t> of = numbers(grid, horizon);
+    if (const auto highest = static_cast<std::size_t>(*std::max_element(of.begin(), of.end())); highest >= named.size())
+      several.resize(highest + 1, several[number(mix.aggregate)]);
+    pd::Mixture made(several, of);
     for (const PeridynamicInterface &each : interfaces)
       {
         pd::PairConstants &pair = made.between(number(each.one), number(each.other));
@@ -218,6 +233,7 @@ namespace apps
         if (!each.bonded)
           pair.young_modulus = 0;
       }
+    bond_copies(made);
     return made;
   }
 } // namespace apps

@@ -53,14 +53,17 @@ namespace apps
     dem::peridynamics::Mixture mixture(const dem::peridynamics::Grid &grid, double horizon) const;
 
   private:
-    void check_interfaces(const base::EntryPath &root, int dimension) const;
-    void check_mix(const base::EntryPath &root, int dimension, const Eigen::Vector3d &size) const;
-    /** Aggregate that each node lies in, or dem::in_mortar. @param aggregates how many there are */
-    std::vector<std::int32_t> aggregates(const dem::peridynamics::Grid &grid, std::size_t &aggregates) const;
+    void        check_interfaces(const base::EntryPath &root, int dimension) const;
+    void        check_mix(const base::EntryPath &root, int dimension, const Eigen::Vector3d &size) const;
+    std::size_t number(const std::string &name) const; ///< of a material
+    /** Of each node dem::in_mortar, or the number of its aggregate, from 0: aggregates with bonds between them have different ones. */
+    std::vector<std::int32_t> aggregates(const dem::peridynamics::Grid &grid, double horizon) const;
     /** Mortar, aggregates and interfaces of one material times factors. */
     dem::peridynamics::Mixture
     mixture_of(const dem::peridynamics::Material &mortar, const dem::peridynamics::Grid &grid, double horizon) const;
-    /** Materials of the nodes, by place. */
-    std::vector<std::int32_t> numbers(const dem::peridynamics::Grid &grid) const;
+    /** Materials of the nodes, by place; those beyond the names are further numbers of the aggregate. */
+    std::vector<std::int32_t> numbers(const dem::peridynamics::Grid &grid, double horizon) const;
+    /** Bonds of such further numbers: as within an aggregate, between two as between it and mortar, with others as these with it. */
+    void bond_copies(dem::peridynamics::Mixture &made) const;
   };
 } // namespace apps

@@ -112,6 +112,8 @@ namespace apps
     result.load          = model.tests[which];
     result.stop_fraction = model.steps(model.tests[which]).end_stress;
     result.notes.name    = name;
+    if (model.mix.given())
+      crack_classes = classes.of_pairs();
     if (!model.is_cell())
       {
         layers                    = model.grip_layers(jointed.packing());
@@ -236,6 +238,7 @@ namespace apps
     postprocess::PictureSlab  slab;
     slab.axis      = axis == 2 ? 1 : 2; // seen across the load
     slab.materials = materials.names;
+    slab.classes   = crack_classes;
     slab.images    = images_of(joined, state);
     return postprocess::picture_of_specimen(folder / (name + "_crack.png"), state, joined, "After " + name, slab);
   }

@@ -87,9 +87,10 @@ namespace apps
 
     void visit_state(RunState &state);
 
-    QuasiStaticResult result;
-    MaterialCounts    materials;
-    LinkClasses       classes;
+    QuasiStaticResult        result;
+    MaterialCounts           materials;
+    LinkClasses              classes;
+    std::vector<std::string> crack_classes; ///< of pairs of materials, where cracks of a mix are told apart
 
     /** Of a cell all strains are known; between grips only that along the axis. */
     static std::vector<postprocess::SeriesColumn> series_columns(const QuasiStaticModel &model);

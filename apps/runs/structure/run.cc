@@ -149,7 +149,9 @@ namespace apps
     postprocess::PictureSlab  slab;
     slab.magnify   = magnification(state);
     slab.materials = packing.material_names;
-    slab.axis      = model.dimension == 2 ? 2 : 1;
+    if (model.mix.given())
+      slab.classes = model.mixed().link_classes(packing.material_names);
+    slab.axis = model.dimension == 2 ? 2 : 1;
     if (const StructureSolid *solid = structure().surrounding())
       slab.bodies = solid->outlines(structure().way().motion(), slab.magnify, slab.axis);
     return postprocess::picture_of_specimen(file, state, structure().link_output(),

@@ -84,6 +84,8 @@ namespace apps
     result.time_step          = specimen.time_step();
     result.at_start           = specimen.counts();
     share_among_ranks(specimen);
+    if (model.mix.given())
+      crack_classes = classes.of_pairs();
     materials         = MaterialCounts(jointed.packing().material_names, specimen);
     const double sign = result.load == UniaxialLoad::tension ? 1 : -1;
     test.watch([this, sign](const dem::UniaxialSample &now) { sideways.note(specimen, axis, sign * now.stress); });
@@ -216,6 +218,7 @@ namespace apps
     postprocess::PictureSlab slab;
     slab.axis      = seen_along();
     slab.materials = materials.names;
+    slab.classes   = crack_classes;
     return postprocess::picture_of_specimen(folder / (name + "_crack.png"), specimen.particles(), specimen.links(),
                                             "After " + name, slab);
   }

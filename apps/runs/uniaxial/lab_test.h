@@ -83,18 +83,19 @@ namespace apps
     int         seen_along() const { return axis == 2 ? 1 : 2; } ///< of pictures, across the load
     std::string draw_crack(const std::filesystem::path &folder) const;
 
-    std::string       name; ///< "tension"
-    LinkClasses       classes;
-    int               axis;
-    dem::Specimen     specimen;
-    dem::UniaxialTest test;
-    GravitySection    gravity;
-    std::int64_t      steps_at_most;
-    StepSampling      sampling;
-    bool              shown; ///< snapshots are requested
-    SpecimenSnapshots snapshots;
-    SidewaysStrain    sideways;
-    bool              zone_wanted;
-    FractureZone      zone; ///< updated where it is wanted
+    std::string              name; ///< "tension"
+    LinkClasses              classes;
+    std::vector<std::string> crack_classes; ///< of pairs of materials, where cracks of a mix are told apart
+    int                      axis;
+    dem::Specimen            specimen;
+    dem::UniaxialTest        test;
+    GravitySection           gravity;
+    std::int64_t             steps_at_most;
+    StepSampling             sampling;
+    bool                     shown; ///< snapshots are requested
+    SpecimenSnapshots        snapshots;
+    SidewaysStrain           sideways;
+    bool                     zone_wanted;
+    FractureZone             zone; ///< updated where it is wanted
   };
 } // namespace apps
