@@ -36,6 +36,7 @@ namespace apps
 
     /** Links with an end in the overlap of each handshake, in the scene's order. */
     virtual std::vector<std::vector<std::size_t>> shared_links() const = 0;
+    virtual Eigen::Vector3d                       weight() const       = 0; ///< of the solid, as far as it counts [N]
     virtual std::size_t                           elements() const     = 0;
     virtual std::size_t                           unknowns() const     = 0;
     virtual std::size_t                           joints() const       = 0;
