@@ -146,8 +146,9 @@ TEST_CASE(
   if (places::skipped_without_mpirun())
     return;
   const ScratchFolder folder;
-  const std::string   words = promoted({"Gravity/Acceleration=0, 0, -300", "Specimen/Density=4000",
-                                        "Path/Opening=opening", "Path/Opening step=2e-7", "Path/End opening=6e-7"});
+  const std::string   words =
+    promoted({"Gravity/Acceleration=0, 0, -300", "Specimen/Density=4000", "Handshakes/core/Promote at=0.05",
+              "Path/Opening=opening", "Path/Opening step=2e-7", "Path/End opening=6e-7"});
   REQUIRE(shell_in(folder, program_on(0, 1) + words + " -o one") == 0);
   const postprocess::CsvTable series = postprocess::read_csv_table(folder / "one/series.csv", false, {"control"});
   CHECK(series.column("weight").back() == 1);

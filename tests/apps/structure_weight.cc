@@ -180,8 +180,7 @@ namespace
   }
 } // namespace
 
-TEST_CASE("A beam of elements, and of particles beyond a support, sags under its weight as the closed form says, and "
-          "its supports bear all of it",
+TEST_CASE("A beam sags under its weight as the closed form says, and its supports bear all of it",
           "[apps][structure][weight][volume]")
 {
   const BeamFiles beam{beam_with_tail(), lattice(0.064, 0.08)};

@@ -1,6 +1,7 @@
 // Weight that is put on before something is driven, and stays.
 #include "base/errors.h"
 #include "clusters.h"
+#include "dem/network/loaded_hinges.h"
 #include "dem/statics/quasi_static_path.h"
 
 #include <catch2/catch.hpp>
@@ -137,6 +138,34 @@ TEST_CASE("dead load: a row that its weight breaks goes back along the part of t
     }
   CHECK(fell);
   CHECK(most == Approx(0.5).epsilon(0.03)); // growth of the damaging strain by up to a fifth at once
+}
+
+TEST_CASE("dead load: it is taken off particles that would swing under it, and off those without a link",
+          "[dem][statics][quasi_static]")
+{
+  // The first is held, the second hangs on it, the third on nothing.
+  dem::Packing packing;
+  for (const double x : {0.0, 1.0, 5.0})
+    {
+      packing.centre.emplace_back(x * spacing, 0, 0);
+      packing.radius.push_back(0.5 * spacing);
+    }
+  dem::NetworkParameters p;
+  p.interaction_ratio       = 1.2;
+  dem::LoadedNetwork loaded = dem::unloaded(dem::make_network(packing, p, concrete()));
+  for (int motion = 0; motion < dem::motions; ++motion)
+    dem::drive(loaded, {0}, motion, 0);
+  const auto unloaded_under = [&loaded](const Vector3d &weight) {
+    dem::weigh_down(loaded, std::vector<Vector3d>(3, weight));
+    std::vector<std::int32_t> found;
+    for (const dem::Mechanism &hinge : dem::unload_hinges(loaded))
+      found.push_back(hinge.particles.front());
+    return found;
+  };
+  CHECK(unloaded_under({1, 0, 0}) == std::vector<std::int32_t>{2}); // the link pulls
+  CHECK(loaded.dead->force.topRows(3).rowwise().sum().isApprox(Vector3d(2, 0, 0)));
+  CHECK(unloaded_under({0, 1, 0}) == std::vector<std::int32_t>{1, 2}); // about the link's middle
+  CHECK(loaded.dead->force.topRows(3).rowwise().sum().isApprox(Vector3d(0, 1, 0)));
 }
 
 TEST_CASE("led opening: a chain that snaps back opens in equal steps, and follows its closed form",

@@ -43,7 +43,8 @@ namespace apps
       static_cast<std::size_t>(std::find(part.begin(), part.end(), series.column("weight").back()) - part.begin());
     nlohmann::json found = {{"force", quantity(structure.weight().norm(), "N")},
                             {"points", row + 1},
-                            {"mean_damage", series.column("mean_damage").at(row)}};
+                            {"mean_damage", series.column("mean_damage").at(row)},
+                            {"weightless", structure.weightless().size()}};
     double         lost  = 0;
     for (const char *term : {"energy_damage", "energy_friction", "energy_damped"})
       lost += series.column(term).at(row);

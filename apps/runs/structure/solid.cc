@@ -31,6 +31,8 @@ namespace apps
         , both(std::move(particles), *solid, parameters(model, handshakes), weights ? &*weights : nullptr)
         , probes(*solid, model.continuum)
       {
+        if (weights)
+          hinges = dem::unload_hinges(both.network());
         // What is linear neither loses energy nor is damaged.
         const std::vector<ProbeColumn> all = probes.columns();
         for (std::size_t k = 0; k < all.size(); ++k)
@@ -83,7 +85,9 @@ namespace apps
       }
 
       std::vector<std::vector<std::size_t>> shared_links() const override { return both.shared_links(); }
-      Eigen::Vector3d                       weight() const override
+      const std::vector<dem::Mechanism>    &swinging() const override { return hinges; }
+
+      Eigen::Vector3d weight() const override
       {
         Eigen::Vector3d sum = Eigen::Vector3d::Zero();
         for (unsigned int c = 0; weights && c < dim; ++c)
@@ -252,6 +256,7 @@ namespace apps
       coupling::StaticHandshake<dim>   both;
       ContinuumProbes<dim>             probes;
       std::vector<std::size_t>         reported; ///< of its columns
+      std::vector<dem::Mechanism>      hinges;   ///< particles whose weight is left out
 
       mutable std::vector<Eigen::Vector3d>                         looked_for;
       mutable std::vector<std::optional<fem::PlaceInElement<dim>>> found; ///< of each of these

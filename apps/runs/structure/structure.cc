@@ -29,11 +29,12 @@ namespace apps
     , promoted_elements(parts.promoted)
     , radius(parts.packing.radius)
     , solid(make_solid(parts.packing, media))
-    , alone(solid ? std::nullopt : std::optional(what.particles(parts.packing, groups)))
+    , alone(solid ? std::nullopt : std::optional(particles_alone(parts.packing)))
     , materials(materials_in(network().network, parts.packing.material_names))
     , team(launched_team())
     , path(network(), what.materials(parts.packing), parameters())
   {
+    refuse_many_weightless();
     if (network().dead && !parts.bears_weight)
       weight_path = std::make_unique<WeightPath>(network(), what.materials(parts.packing), parameters(),
                                                  !drives_by_force(what.continuum.loads));
@@ -103,6 +104,22 @@ namespace apps
       else if (points[i].control != dem::StepControl::changed)
         work -= (points[i].stress[part] - points[i - 1].stress[part]) * network().volume;
     return work;
+  }
+
+  dem::LoadedNetwork Structure::particles_alone(const dem::Packing &packing)
+  {
+    dem::LoadedNetwork loaded = model.particles(packing, groups);
+    if (loaded.dead)
+      swinging = dem::unload_hinges(loaded);
+    return loaded;
+  }
+
+  void Structure::refuse_many_weightless() const
+  {
+    constexpr double at_most = 0.01;
+    if (static_cast<double>(weightless().size()) > at_most * static_cast<double>(network().network.particles()))
+      throw base::InputError("Gravity: " + dem::describe(weightless()) +
+                             " Raise the interaction ratio, or take them out of the packing.");
   }
 
   std::unique_ptr<StructureSolid> Structure::make_solid(const dem::Packing &packing, const ParticleMedia &media) const

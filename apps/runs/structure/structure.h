@@ -40,12 +40,14 @@ namespace apps
     const dem::LoadedNetwork &network() const { return solid ? solid->network() : *alone; }
     const StructureSolid     *surrounding() const { return solid.get(); } ///< none: particles alone
     /** Along which it goes now: first the weight is put on, if there is any. */
-    dem::QuasiStaticPath           &way() { return weight_path ? weight_path->way() : path; }
-    const dem::QuasiStaticPath     &way() const { return weight_path ? weight_path->way() : path; }
-    const dem::QuasiStaticPoint    &last() const { return way().points().back(); }
-    double                          load_factor() const; ///< since the weight is on
-    bool                            bears_weight() const { return !weight_path; }
-    bool                            finished() const { return bears_weight() && path.finished(); }
+    dem::QuasiStaticPath        &way() { return weight_path ? weight_path->way() : path; }
+    const dem::QuasiStaticPath  &way() const { return weight_path ? weight_path->way() : path; }
+    const dem::QuasiStaticPoint &last() const { return way().points().back(); }
+    double                       load_factor() const; ///< since the weight is on
+    bool                         bears_weight() const { return !weight_path; }
+    bool                         finished() const { return bears_weight() && path.finished(); }
+    /** Particles whose weight is left out: on hinges of two links, or without any. */
+    const std::vector<dem::Mechanism> &weightless() const { return solid ? solid->swinging() : swinging; }
     Eigen::Vector3d                 weight() const; ///< of particles and solid, each with its share where both are [N]
     const MaterialCounts           &material_counts() const { return materials; }
     const ParticleGroups           &members() const { return groups; }
@@ -75,6 +77,8 @@ namespace apps
     std::vector<double>             reactions() const;
     double                          work_of_weight() const; ///< up to the last point [J]
     dem::QuasiStaticParameters      parameters() const;
+    dem::LoadedNetwork              particles_alone(const dem::Packing &packing);
+    void                            refuse_many_weightless() const;
     std::unique_ptr<StructureSolid> make_solid(const dem::Packing &packing, const ParticleMedia &media) const;
 
     const StructureModel             &model;
@@ -83,7 +87,8 @@ namespace apps
     std::vector<std::size_t>          promoted_elements; ///< by handshake
     std::vector<double>               radius;
     std::unique_ptr<StructureSolid>   solid;
-    std::optional<dem::LoadedNetwork> alone; ///< where there is no solid
+    std::vector<dem::Mechanism>       swinging; ///< of the particles alone
+    std::optional<dem::LoadedNetwork> alone;    ///< where there is no solid
     MaterialCounts                    materials;
     std::shared_ptr<dem::Ranks>       team; ///< that shares the work; null: this process alone
     dem::QuasiStaticPath              path;

@@ -21,7 +21,7 @@ namespace apps
     WorkOfFracture(const postprocess::CsvTable &series, const std::string &load);
 
     double left() const { return peak > 0 ? last / peak : 0; } ///< load at the end, over the peak [-]
-    /** What RILEM TC 50-FMC (1985) adds for a weight between the supports that the beam bears beside the load [J]. @param weight [N] */
+    /** What RILEM TC 50-FMC (1985) adds for a weight between the supports that the beam bears beside the load (doc/theory/static-handshake.md, 5) [J]. @param weight [N] */
     double of_weight(const double weight) const { return weight * way; }
     /**
      * work_of_fracture: the work over the ligament (RILEM TC 50-FMC, 1985, Mater. Struct. 18, 285: G_F = (W_0 + m g d_0) / A); where there is a
