@@ -310,8 +310,7 @@ TEST_CASE("A weight that a structure cannot have is refused by name", "[apps][st
   CHECK_THAT(broken.out + broken.err, Contains("does not bear its weight"));
 }
 
-TEST_CASE("A beam led by the opening of its notch opens in equal steps, and bears before its peak what one led by its "
-          "deflection does",
+TEST_CASE("A beam led by the opening of its notch opens in equal steps, and bears what it does led by its deflection",
           "[apps][structure][opening][volume][slow]")
 {
   const BeamFiles  beam = notched();
