@@ -158,6 +158,8 @@ namespace apps
 
     BrokenBeam broken_beam(const CheckedScene &checked, const StructureModel &model, const BeamCase &beam)
     {
+      if (model.gravity.acts())
+        refuse_scene(checked, "Gravity: this bench compares works of fracture without any weight.");
       const double                start = base::processor_seconds();
       std::optional<dem::Packing> cell;
       const dem::Packing          packing = model.packing(&cell);
@@ -171,9 +173,9 @@ namespace apps
         refuse_scene(checked, "Groups/load: this bench needs it driven along " + up + ".");
       const auto load = static_cast<std::size_t>(reaction - columns.begin());
       double     peak = 0, last = 0;
-      while (!promotion.structure().way().finished())
+      while (!promotion.structure().finished())
         {
-          promotion.structure().way().advance();
+          promotion.structure().advance();
           do
             last = std::fabs(promotion.structure().row().values[load]);
           while (promotion.promote());

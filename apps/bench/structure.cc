@@ -49,9 +49,9 @@ namespace apps
                         opening            = column_of(promotion.structure(), "opening");
       const double start                   = base::processor_seconds();
       BeamRow      row{variant.study, variant.value};
-      while (!promotion.structure().way().finished())
+      while (!promotion.structure().finished())
         {
-          promotion.structure().way().advance();
+          promotion.structure().advance();
           do
             {
               const std::vector<double> values = promotion.structure().row().values;

@@ -42,9 +42,10 @@ namespace apps
       Structure                  &structure = promotion.structure();
       Followed                    found;
       const double                start = base::processor_seconds();
-      while (!structure.way().finished())
+      while (!structure.finished())
         {
-          const dem::QuasiStaticPoint &point = structure.way().advance();
+          structure.advance();
+          const dem::QuasiStaticPoint &point = structure.last();
           found.solutions += point.iterations;
           found.forces.push_back(point.stress[structure.network().driven] * structure.network().volume);
         }

@@ -23,7 +23,8 @@ namespace apps
     /** @param root holds the section, as in declare() */
     void            check(const base::EntryPath &root, int dimension) const;
     Eigen::Vector3d vector() const { return {acceleration[0], acceleration[1], acceleration[2]}; }
+    bool            acts() const { return !vector().isZero(0); }
     /** There is an equilibrium to find. */
-    bool asks_for_equilibrium() const { return start == Start::statics && !vector().isZero(0); }
+    bool asks_for_equilibrium() const { return start == Start::statics && acts(); }
   };
 } // namespace apps

@@ -196,6 +196,7 @@ set(runs_sources
   specimens/mixed_specimen.cc
   specimens/rank_shares.cc
   results/result_difference.cc
+  runs/structure/weight_path.cc
 )
 
 set(runs_solids_sources

@@ -32,7 +32,8 @@ namespace coupling
   template <int dim>
   StaticHandshake<dim>::StaticHandshake(dem::LoadedNetwork                           particles,
                                         fem::Solid<dim>                             &of_solid,
-                                        const std::vector<VolumeCouplingParameters> &handshakes)
+                                        const std::vector<VolumeCouplingParameters> &handshakes,
+                                        const fem::Vector *const                     weight)
     : solid(of_solid)
     , loaded(std::move(particles))
   {
@@ -53,9 +54,10 @@ namespace coupling
         entries.push_back(enter(places));
         enter_bond_ends(h, in_overlap.back());
         share(h, in_overlap.back());
+        share_weight(h, in_overlap.back());
       }
     find_shared_links();
-    add_body();
+    add_body(weight);
     std::vector<dem::Tie> ties, smooth;
     const auto            add = [](std::vector<dem::Tie> &to, const std::vector<dem::Tie> &some) {
       to.insert(to.end(), some.begin(), some.end());
@@ -156,6 +158,18 @@ namespace coupling
   }
 
   template <int dim>
+  void StaticHandshake<dim>::share_weight(const VolumeCouplingParameters &handshake,
+                                          const std::vector<std::size_t> &particles)
+  {
+    if (!loaded.dead)
+      return;
+    for (const std::size_t i : particles)
+      loaded.dead->force.col(static_cast<Index>(i)) *= handshake.method == VolumeMethod::multipliers ?
+                                                         handshake.overlap.of_particles(loaded.network.centre[i]) :
+                                                         0.0; // elements that constrained particles lie in are whole
+  }
+
+  template <int dim>
   void StaticHandshake<dim>::find_shared_links()
   {
     for (const auto &particles : in_overlap)
@@ -171,16 +185,17 @@ namespace coupling
   }
 
   template <int dim>
-  void StaticHandshake<dim>::add_body()
+  void StaticHandshake<dim>::add_body(const fem::Vector *const weight)
   {
     std::vector<Dof> kept;
     for (const auto &joint : joints)
       kept.insert(kept.end(), joint.begin(), joint.end());
-    body.emplace(solid, kept);
+    body.emplace(solid, kept, weight);
     // Three displacements of a joint, also in the plane.
     const auto       in_space = [](const Index k) { return 3 * (k / dim) + k % dim; };
     const Index      n = body->stiffness().rows(), all = 3 * static_cast<Index>(joints.size());
     dem::ElasticBody seen;
+    seen.load    = loaded.driven;
     seen.by_load = seen.load_work = Eigen::VectorXd::Zero(all);
     std::vector<Eigen::Triplet<double>> entries;
     for (Index column = 0; column < n; ++column)
@@ -205,6 +220,21 @@ namespace coupling
             held |= dem::HeldMotions(1u << c);
         loaded.held.push_back(held);
       }
+    if (loaded.dead)
+      add_weight(body->dead());
+  }
+
+  template <int dim>
+  void StaticHandshake<dim>::add_weight(const typename fem::CondensedSolid<dim>::DeadForces &of_solid)
+  {
+    dem::DeadLoad &dead = *loaded.dead;
+    const auto     n    = static_cast<Index>(joints.size());
+    dead.force.conservativeResize(dem::motions, static_cast<Index>(loaded.held.size()));
+    dead.force.rightCols(n).setZero();
+    dead.force.topRightCorner(dim, n) = of_solid.on_kept.reshaped(dim, n);
+    dead.by_factor += of_solid.by_factor;
+    dead.by_itself = of_solid.by_itself;
+    dead.on_loads  = of_solid.on_loads;
   }
 
   template <int dim>
@@ -212,7 +242,8 @@ namespace coupling
   {
     const auto            n         = static_cast<Index>(joints.size());
     const Eigen::MatrixXd of_joints = dem::joints_of(loaded, motion).reshaped(3, n).topRows(dim);
-    return body->displacement(of_joints.reshaped(), motion.loads[loaded.driven]);
+    return body->displacement(of_joints.reshaped(), motion.loads[loaded.driven],
+                              loaded.dead ? motion.loads[loaded.dead->parameter] : 0.0);
   }
 
   template <int dim>

@@ -23,12 +23,15 @@ namespace coupling
     /**
      * @param particles their free network, with what holds or drives particles beside the solid; links share, or go, in the overlaps
      * @param solid made with Overlap::of_solid() as its share, unless particles are constrained; must outlive this
+     * @param weight forces by which the solid is drawn down while a part of the particles' dead load acts, as fem::weight_of() has them; where
+     * both are, each has its share. Null: particles have no dead load either
      * @throws base::InputError where there are no particles in an overlap, where one of them is not in the solid or driven, and as
      * fem::CondensedSolid does
      */
     StaticHandshake(dem::LoadedNetwork                           particles,
                     fem::Solid<dim>                             &solid,
-                    const std::vector<VolumeCouplingParameters> &handshakes);
+                    const std::vector<VolumeCouplingParameters> &handshakes,
+                    const fem::Vector                           *weight = nullptr);
 
     /** Particles and joints; the driven parameter is the load factor of the solid. */
     dem::LoadedNetwork       &network() { return loaded; }
@@ -61,7 +64,10 @@ namespace coupling
     void               find_shared_links();
     /** Forces of bonds to constrained particles in elements, whose nodes become joints. */
     void enter_bond_ends(const VolumeCouplingParameters &handshake, const std::vector<std::size_t> &particles);
-    void add_body();
+    /** Of the weight of particles in an overlap, what the solid does not have. */
+    void share_weight(const VolumeCouplingParameters &handshake, const std::vector<std::size_t> &particles);
+    void add_body(const fem::Vector *weight);
+    void add_weight(const typename fem::CondensedSolid<dim>::DeadForces &of_solid);
     /** Particles move and turn as the solid does where they are. */
     std::vector<dem::Tie> constrained(const std::vector<std::size_t> &particles,
                                       const std::vector<Entry>       &entries) const;

@@ -16,6 +16,7 @@ namespace dem
   struct ElasticBody
   {
     Eigen::SparseMatrix<double> stiffness; ///< S, three displacements of each joint, symmetric [N/m]
+    int                         load = 0;  ///< load parameter p
     Eigen::VectorXd by_load;      ///< b: force that holds the joints where they are, per unit of the parameter [N]
     double          of_load = 0;  ///< c [J]
     Eigen::VectorXd load_work;    ///< w [N]

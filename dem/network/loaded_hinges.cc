@@ -61,4 +61,29 @@ namespace dem
               [](const Mechanism &a, const Mechanism &b) { return a.particles < b.particles; });
     return hinges;
   }
+
+  std::vector<Mechanism> unload_hinges(LoadedNetwork &loaded)
+  {
+    const std::size_t        n    = loaded.network.particles();
+    DeadLoad                &dead = *loaded.dead;
+    std::vector<HeldMotions> held(loaded.held.begin(), loaded.held.begin() + static_cast<std::ptrdiff_t>(n));
+    std::vector<Mechanism>   hinges =
+      hold_loaded_hinges(loaded.network, held, dead.force.leftCols(static_cast<Eigen::Index>(n)));
+    std::vector<bool> linked(n, false);
+    for (const ElasticLink &link : loaded.network.links)
+      linked[static_cast<std::size_t>(link.first)] = linked[static_cast<std::size_t>(link.second)] = true;
+    for (std::size_t i = 0; i < n; ++i)
+      if (!linked[i] && !dead.force.col(static_cast<Eigen::Index>(i)).isZero(0))
+        {
+          hinges.emplace_back();
+          hinges.back().particles = {static_cast<std::int32_t>(i)};
+        }
+    for (const Mechanism &hinge : hinges)
+      {
+        const std::int32_t i = hinge.particles.front();
+        dead.by_factor -= dead.force.col(i).head<3>().dot(loaded.carried[static_cast<std::size_t>(i)].col(dead.factor));
+        dead.force.col(i).setZero();
+      }
+    return hinges;
+  }
 } // namespace dem

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "dem/network/loaded_network.h"
 #include "dem/network/rigid_motions.h"
 
 namespace dem
@@ -13,4 +14,10 @@ namespace dem
    */
   std::vector<Mechanism>
   hold_loaded_hinges(const ElasticNetwork &network, std::vector<HeldMotions> &held, const ParticleMotions &load);
+
+  /**
+   * Takes the dead load off particles that it would move so, and off those without any link: there is no equilibrium with it.
+   * @return them @pre the network has a dead load
+   */
+  std::vector<Mechanism> unload_hinges(LoadedNetwork &loaded);
 } // namespace dem

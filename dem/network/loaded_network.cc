@@ -126,6 +126,27 @@ namespace dem
         loaded.carried[loaded.network.links[l].second] - loaded.carried[loaded.network.links[l].first];
   }
 
+  void weigh_down(LoadedNetwork &loaded, const std::vector<Eigen::Vector3d> &weight)
+  {
+    DeadLoad dead;
+    dead.factor    = loaded.driven;
+    dead.parameter = (loaded.driven + 1) % 6;
+    dead.force     = CarrierMotions::Zero(motions, static_cast<Eigen::Index>(loaded.held.size()));
+    for (std::size_t i = 0; i < weight.size(); ++i)
+      {
+        dead.force.col(static_cast<Eigen::Index>(i)).head<3>() = weight[i];
+        dead.by_factor += weight[i].dot(loaded.carried[i].col(loaded.driven));
+      }
+    loaded.dead = std::move(dead);
+  }
+
+  LoadedNetwork with_load_put_on(LoadedNetwork loaded, const bool released)
+  {
+    loaded.free[static_cast<std::size_t>(loaded.driven)] = released;
+    loaded.driven                                        = loaded.dead->parameter;
+    return loaded;
+  }
+
   void support(LoadedNetwork &loaded, const GripPair &grips)
   {
     if (grips.lateral_blocked)
@@ -180,11 +201,28 @@ namespace dem
     {
       const ElasticBody    &body  = *loaded.body;
       const Eigen::VectorXd x     = joints_of(loaded, motion);
-      const double          p     = motion.loads[loaded.driven];
+      const double          p     = motion.loads[body.load];
       const Eigen::VectorXd force = -(body.stiffness * x) - p * body.by_load;
       u.particles.topRightCorner(3, body.joints()) += force.reshaped(3, body.joints());
-      u.loads[loaded.driven] += body.by_load.dot(x) + body.of_load * p;
+      u.loads[body.load] += body.by_load.dot(x) + body.of_load * p;
       return force.squaredNorm();
+    }
+
+    /** @return sum of squares of its forces */
+    double add_dead_load(const DeadLoad &dead, const LoadedMotion &motion, Unbalanced &u)
+    {
+      const double l = motion.loads[dead.parameter], p = motion.loads[dead.factor];
+      u.particles += l * dead.force;
+      u.loads[dead.factor] -= l * dead.by_factor;
+      u.loads[dead.parameter] += dead.force_of(motion.particles, l, p);
+      return l * l * dead.force.squaredNorm();
+    }
+
+    /** Square of how far a unit of its load moves the joints, each by itself [m^2]. */
+    double reach_of(const ElasticBody &body)
+    {
+      const Eigen::VectorXd stiffness = body.stiffness.diagonal();
+      return (stiffness.array() > 0).select(body.by_load.array() / stiffness.array(), 0.0).square().sum();
     }
   } // namespace
 
@@ -218,7 +256,12 @@ namespace dem
         reach += loaded.load_slip[i].colwise().squaredNorm().transpose();
       }
     if (loaded.body)
-      squares += add_body(loaded, motion, u);
+      {
+        squares += add_body(loaded, motion, u);
+        reach[loaded.body->load] += reach_of(*loaded.body);
+      }
+    if (loaded.dead)
+      squares += add_dead_load(*loaded.dead, motion, u);
     for (std::size_t i = 0; i < loaded.held.size(); ++i)
       for (int c = 0; c < motions; ++c)
         if (loaded.held[i] >> c & 1)

@@ -3,6 +3,7 @@
 #include "base/matrix6.h"
 #include "base/state.h"
 #include "dem/grips/grip_layers.h"
+#include "dem/network/dead_load.h"
 #include "dem/network/elastic_body.h"
 #include "dem/network/elastic_network.h"
 #include "dem/network/ties.h"
@@ -34,6 +35,7 @@ namespace dem
     int                                      driven = 0;
     double                                   volume = 0; ///< force of a parameter over it is its stress [m^3]
     std::optional<ElasticBody>               body;
+    std::optional<DeadLoad>                  dead; ///< stays while the driven parameter grows; none: nothing does
     std::shared_ptr<const Ties>              ties; ///< between carriers; none: nothing is tied
   };
 
@@ -42,6 +44,16 @@ namespace dem
 
   /** Particles that are driven along one of their motions: so much per unit of the driven parameter; nothing: they are held. */
   void drive(LoadedNetwork &loaded, const std::vector<std::size_t> &particles, int motion, double per_unit);
+
+  /** Particles that are drawn down. @param weight of each particle [N] @pre all particles that are driven are so already */
+  void weigh_down(LoadedNetwork &loaded, const std::vector<Eigen::Vector3d> &weight);
+
+  /**
+   * The same network, along whose path its dead load is put on.
+   * @param released the load parameter that was driven is free meanwhile, and bears nothing; otherwise it stays zero
+   * @pre there is a dead load
+   */
+  LoadedNetwork with_load_put_on(LoadedNetwork loaded, bool released);
 
   /**
    * A periodic cell strained along an axis; with `lateral_free` the other five stresses vanish, else the other five strains do.

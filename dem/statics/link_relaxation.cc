@@ -121,6 +121,8 @@ namespace dem
             for (Eigen::SparseMatrix<double>::InnerIterator entry(loaded.body->stiffness, column); entry; ++entry)
               mass.particles(column % 3, static_cast<Eigen::Index>(loaded.network.particles()) + column / 3) +=
                 std::fabs(entry.value());
+        if (loaded.body && loaded.free[static_cast<std::size_t>(loaded.body->load)])
+          add_masses_of_load(*loaded.body);
         const double *const first = mass.particles.data();
         const auto          n     = mass.particles.size();
         const double        mean  = std::accumulate(first, first + n, 0.0) / static_cast<double>(n);
@@ -128,6 +130,14 @@ namespace dem
         mass.loads                = (mass.loads.array() > 0).select(mass.loads, mean);
         mass.particles.bottomRows<3>() *= scale * scale;
         mass.loads *= load_length * load_length;
+      }
+
+      /** What a body's load parameter and its joints are to each other. */
+      void add_masses_of_load(const ElasticBody &body)
+      {
+        const Eigen::VectorXd between = body.by_load.cwiseAbs() / load_length;
+        mass.loads[body.load] += between.sum() + std::fabs(body.of_load) / (load_length * load_length);
+        mass.particles.topRightCorner(3, body.joints()) += between.reshaped(3, body.joints());
       }
 
       const LoadedNetwork &loaded;

@@ -32,9 +32,19 @@ namespace dem
       require(p.end_stress >= 0 && p.end_stress < 1, "End stress", p.end_stress, "must lie in [0, 1).");
       require(p.tolerance > 0 && p.tolerance <= 1e-2, "Tolerance", p.tolerance, "must lie in (0, 1e-2].");
       require(p.max_iterations > 1, "Iterations", p.max_iterations, "must be above 1.");
+      if (p.leading)
+        {
+          require(p.leading->step > 0, "Opening step", p.leading->step, "must be above 0.");
+          require(p.leading->end >= p.leading->step, "End opening", p.leading->end,
+                  "must not be below the opening step.");
+          require(!p.leading->group.empty(), "Opening", 0, "no particle is there to measure it at.");
+        }
       require(p.relaxation.damping > 0 && p.relaxation.damping < 1, "Damping", p.relaxation.damping,
               "must lie in (0, 1).");
     }
+
+    /** A dead load is put on wholly, and no more than that. */
+    bool ends_exactly(const LoadedNetwork &loaded) { return loaded.dead && loaded.driven == loaded.dead->parameter; }
 
     void move(LoadedMotion &motion, const TangentSystem::Answer &answer, const double step)
     {
@@ -42,6 +52,17 @@ namespace dem
       motion.loads += answer.constant.loads + step * answer.per_step.loads;
     }
   } // namespace
+
+  double LeadingOpening::of(const LoadedNetwork &loaded, const LoadedMotion &motion) const
+  {
+    const auto mean = [&](const std::vector<std::size_t> &members) {
+      double sum = 0;
+      for (const std::size_t i : members)
+        sum += motion.particles(axis, static_cast<Eigen::Index>(i)) + loaded.carried[i].row(axis).dot(motion.loads);
+      return members.empty() ? 0.0 : sum / static_cast<double>(members.size());
+    };
+    return mean(group) - mean(other);
+  }
 
   std::string name_of(const StepControl control)
   {
@@ -51,6 +72,8 @@ namespace dem
         return "strain";
       case StepControl::opening:
         return "opening";
+      case StepControl::leading:
+        return "leading";
       case StepControl::relaxed:
         return "relaxed";
       case StepControl::changed:
@@ -84,8 +107,10 @@ namespace dem
     double peak = 0;
     for (const auto &point : path)
       peak = std::max(peak, parameters.sign * point.stress[loaded->driven]);
-    const double stress = parameters.sign * path.back().stress[loaded->driven];
-    return parameters.sign * driven() >= parameters.end_strain * (1 - 1e-12) ||
+    const double     stress = parameters.sign * path.back().stress[loaded->driven];
+    constexpr double nearly = 1 - 1e-12;
+    return parameters.sign * (driven() - origin) >= parameters.end_strain * nearly ||
+           (is_led() && width(now) - width_before >= parameters.leading->end * nearly) ||
            (peak > 0 && stress <= parameters.end_stress * peak);
   }
 
@@ -111,16 +136,32 @@ namespace dem
     return path.back();
   }
 
+  void QuasiStaticPath::go_on_where(const QuasiStaticPath &earlier)
+  {
+    std::vector<std::optional<std::size_t>> same(bonds.size());
+    for (std::size_t i = 0; i < same.size(); ++i)
+      same[i] = i;
+    bonds.take_over(earlier.bonds, same);
+    path       = earlier.path;
+    most_borne = earlier.most_borne;
+    restore(earlier.now);
+    dead_load_work = work_of_dead_loads();
+    origin         = driven();
+    width_before   = is_led() ? width(now) : 0;
+  }
+
   const QuasiStaticPoint &QuasiStaticPath::go_on_from(const QuasiStaticPath                         &earlier,
                                                       const LoadedMotion                            &start,
                                                       const std::vector<std::optional<std::size_t>> &before)
   {
     bonds.take_over(earlier.bonds, before);
-    path       = earlier.path;
-    part       = earlier.part;
-    most_borne = earlier.most_borne;
-    solutions  = 0;
-    bool done  = false;
+    path         = earlier.path;
+    part         = earlier.part;
+    most_borne   = earlier.most_borne;
+    origin       = earlier.origin;
+    width_before = earlier.width_before;
+    solutions    = 0;
+    bool done    = false;
     for (const LinkStiffness stiffness : {LinkStiffness::consistent, LinkStiffness::secant})
       {
         restore(start);
@@ -176,7 +217,8 @@ namespace dem
       }
     // What damage may grow at most holds for strain control as well: beyond, a step may have jumped over a peak.
     constexpr double more = 1.5;
-    if (done && bonds.largest_growth() <= more * parameters.growth_step)
+    done                  = done && !(ends_exactly(*loaded) && strain_left() < 0);
+    if (done && (control == StepControl::leading || bonds.largest_growth() <= more * parameters.growth_step))
       return true;
     restore(before);
     return false;
@@ -200,8 +242,22 @@ namespace dem
     return steps;
   }
 
+  QuasiStaticPath::Target QuasiStaticPath::choose_by_opening(const TangentSystem::Answer &answer,
+                                                             const double                 of_step) const
+  {
+    // To the next multiple of the step, or a part of the way.
+    constexpr double rounding = 1e-6;
+    const double     step = parameters.leading->step, before = width(now) - width_before;
+    const double     next = (std::floor(before / step + rounding) + 1) * step;
+    Target           target{StepControl::leading, 0, 0, width_before + std::min(next, before + of_step * step)};
+    target.strain = driven() + correction(target, answer);
+    return target;
+  }
+
   QuasiStaticPath::Target QuasiStaticPath::choose(const TangentSystem::Answer &answer, const double of_step) const
   {
+    if (is_led())
+      return choose_by_opening(answer, of_step);
     const double growth = of_step * parameters.growth_step, longest = of_step * parameters.strain_step;
     double       onward = 0; // growth of the links that grew last, per step of the driven strain
     for (std::size_t i = 0; i < bonds.size(); ++i)
@@ -211,10 +267,10 @@ namespace dem
     const auto   steps     = steps_to(growth, answer);
     const double direction = onward == 0 ? parameters.sign : std::copysign(1.0, onward);
     const double step      = direction > 0 ? steps.second : steps.first;
-    if (direction == parameters.sign && std::fabs(step) > longest)
+    const double most      = ends_exactly(*loaded) ? std::min(longest, strain_left()) : longest;
+    if (direction == parameters.sign && std::fabs(step) > most)
       {
-        const double strain =
-          driven() + direction * std::min(longest, parameters.end_strain - parameters.sign * driven());
+        const double strain = driven() + direction * std::min(longest, strain_left());
         return {StepControl::strain, strain, growth};
       }
     // Back along the strain no further than forwards.
@@ -225,6 +281,8 @@ namespace dem
   {
     if (target.control == StepControl::strain)
       return target.strain - driven();
+    if (target.control == StepControl::leading)
+      return (target.width - width(now) - width(answer.constant)) / width(answer.per_step);
     const auto [below, above] = steps_to(target.growth, answer);
     if (below > above) // nowhere as small as required: where it is smallest
       return 0.5 * (below + above);
@@ -240,7 +298,7 @@ namespace dem
     for (attempt_length = 1; attempt_length <= most; ++attempt_length)
       {
         if (unbalanced.residual <= parameters.tolerance)
-          return target.control == StepControl::strain || bonds.largest_growth() > 0;
+          return target.control != StepControl::opening || bonds.largest_growth() > 0;
         if (unbalanced.residual < 0.7 * best)
           {
             best    = unbalanced.residual;
@@ -269,8 +327,9 @@ namespace dem
     p.tolerance                = parameters.tolerance;
     p.least_borne              = least_borne();
     bonds.forget_growth();
-    const LinkRelaxationReport report = relax_links(
-      *loaded, bonds, now, parameters.sign * onward * parameters.strain_step * base::Vector6::Unit(loaded->driven), p);
+    const double               step = std::min(onward * parameters.strain_step, std::max(0.0, strain_left()));
+    const LinkRelaxationReport report =
+      relax_links(*loaded, bonds, now, parameters.sign * step * base::Vector6::Unit(loaded->driven), p);
     if (!report.converged)
       {
         std::ostringstream message;
@@ -306,7 +365,22 @@ namespace dem
 
   double QuasiStaticPath::work_of_dead_loads() const
   {
-    return loaded->body ? loaded->body->work_of_loads(joints_of(*loaded, now), driven()) : 0.0;
+    double work = 0;
+    if (loaded->body)
+      work += loaded->body->work_of_loads(joints_of(*loaded, now), now.loads[loaded->body->load]);
+    if (const auto &dead = loaded->dead)
+      work += dead->work(now.particles, now.loads[dead->parameter], now.loads[dead->factor]);
+    return work;
+  }
+
+  double QuasiStaticPath::stored() const
+  {
+    double energy = bonds.stored();
+    if (loaded->body)
+      energy += loaded->body->stored(joints_of(*loaded, now), now.loads[loaded->body->load]);
+    if (const auto &dead = loaded->dead)
+      energy += dead->stored(now.loads[dead->parameter], now.loads[dead->factor]);
+    return energy;
   }
 
   void QuasiStaticPath::complete(QuasiStaticPoint &point)
@@ -314,7 +388,7 @@ namespace dem
     point.strain      = now.loads;
     point.stress      = unbalanced.loads / loaded->volume;
     point.mean_damage = bonds.mean_damage();
-    point.stored      = bonds.stored() + (loaded->body ? loaded->body->stored(joints_of(*loaded, now), driven()) : 0.0);
+    point.stored      = stored();
     point.damage      = bonds.damage_work();
     point.friction    = bonds.sliding_work();
     point.iterations  = solutions;
@@ -331,6 +405,8 @@ namespace dem
     now.visit_state(visitor);
     visitor.scalar("part", part);
     visitor.scalar("most_borne", most_borne);
+    visitor.scalar("origin", origin);
+    visitor.scalar("width_before", width_before);
     visit_points(visitor);
     system.visit_state(visitor);
     restore(now);

@@ -11,6 +11,18 @@
 
 namespace dem
 {
+  /** Two groups of particles whose distance along an axis, as it grows, may lead a path. */
+  struct LeadingOpening
+  {
+    std::vector<std::size_t> group, other; ///< the second may have none: what is measured is a displacement
+    int                      axis = 0;
+    double                   step = 0; ///< from one point of the path to the next [m], > 0
+    double                   end  = 0; ///< from where the path begins to where it ends at the latest [m], >= step
+
+    /** Mean displacement of the group against the other [m]. */
+    double of(const LoadedNetwork &loaded, const LoadedMotion &motion) const;
+  };
+
   /** How a loaded network is driven along its equilibrium path, without any inertia. */
   struct QuasiStaticParameters
   {
@@ -20,6 +32,8 @@ namespace dem
     double growth_step = 0.2; ///< largest growth of any link's damaging strain in a step, over itself, in (0, 1]
     double end_strain  = 0;   ///< magnitude of the driven strain at which to stop [-], >= strain_step
     double end_stress  = 0.5; ///< stop when the stress has fallen to this part of its peak, in [0, 1)
+
+    std::optional<LeadingOpening> leading; ///< in place of what both of the steps above say; none: these lead
 
     double tolerance      = 1e-7;        ///< see Unbalanced::residual, in (0, 1e-2]
     int    max_iterations = 12;          ///< of Newton's method on one step, > 1; three times as many with the secant
@@ -34,6 +48,7 @@ namespace dem
   {
     strain,  ///< the driven strain was prescribed
     opening, ///< the largest growth of a crack opening was: it cannot but grow, though stress and strain may fall
+    leading, ///< the opening that the parameters name was
     relaxed, ///< no equilibrium near by was found; the driven strain was held and dynamics found the next one (a cascade)
     changed ///< the driven strain was held while another network took the place of the one before
   };
@@ -88,6 +103,11 @@ namespace dem
     bool                    finished() const;
 
     /**
+     * Goes on where a path of the same network, along which another parameter was driven, has come to. What ends this one counts from there.
+     */
+    void go_on_where(const QuasiStaticPath &earlier);
+
+    /**
      * Goes on from where the path of another network has come to: its points, the history of the links that both have, and then one point
      * more, the equilibrium of this network under the same driven strain.
      * @param start motion to find it from, which obeys this network's ties
@@ -97,6 +117,9 @@ namespace dem
     const QuasiStaticPoint &go_on_from(const QuasiStaticPath                         &earlier,
                                        const LoadedMotion                            &start,
                                        const std::vector<std::optional<std::size_t>> &before);
+
+    /** The driven parameter, counted from where the path began to drive it. */
+    double driven_since_start() const { return driven() - origin; }
 
     const std::vector<QuasiStaticPoint> &points() const { return path; } ///< from the start, all zero
     const DamagingLinks                 &links() const { return bonds; }
@@ -111,10 +134,13 @@ namespace dem
       StepControl control;
       double      strain = 0; ///< driven, to be reached
       double      growth = 0; ///< largest of a link, to be reached
+      double      width  = 0; ///< of the leading opening, to be reached [m]
     };
 
     /** A step of the driven parameter with the sign that goes on along the path. */
     Target choose(const TangentSystem::Answer &answer, double part) const;
+    Target choose_by_opening(const TangentSystem::Answer &answer, double part) const;
+    bool   is_led() const { return parameters.leading.has_value(); }
     /** Steps of the driven parameter at which the largest growth is as given: below, above. */
     std::pair<double, double> steps_to(double growth, const TangentSystem::Answer &answer) const;
     bool                      attempt(LinkStiffness stiffness, double part);
@@ -126,8 +152,12 @@ namespace dem
     void                      restore(const LoadedMotion &earlier);
     void                      visit_points(base::StateVisitor &visitor);
     double                    work_of_dead_loads() const;
+    double                    stored() const;      ///< in links, and in the body around them, now [J]
     double                    least_borne() const; ///< that residuals are part of [N]
-    double                    driven() const { return now.loads[loaded->driven]; }
+    /** Of the driven parameter, to where the path ends. */
+    double strain_left() const { return parameters.end_strain - parameters.sign * (driven() - origin); }
+    double driven() const { return now.loads[loaded->driven]; }
+    double width(const LoadedMotion &motion) const { return parameters.leading->of(*loaded, motion); }
 
     const LoadedNetwork          *loaded;
     QuasiStaticParameters         parameters;
@@ -142,5 +172,7 @@ namespace dem
     int                           attempt_length = 0; ///< iterations of the last attempt
     double                        dead_load_work = 0; ///< up to the last point [J]
     double                        most_borne     = 0; ///< of all points: Unbalanced::borne [N]
+    double                        origin         = 0; ///< driven parameter from which the end counts
+    double                        width_before   = 0; ///< leading opening likewise [m]
   };
 } // namespace dem

@@ -98,7 +98,7 @@ namespace dem
       if (!changed->take(stiffness, room + 2 * changed_at_start))
         return {};
       Eigen::MatrixXd x(count, undamaged_answers.cols() + 1);
-      x.col(0)                              = solve(undamaged_factor, forces_of(unbalanced));
+      x.col(0)                              = solve(undamaged_factor, forces_of(unbalanced.particles));
       x.rightCols(undamaged_answers.cols()) = undamaged_answers - changed->under_loads(moving);
       changed->correct(x);
       return x;
@@ -109,7 +109,7 @@ namespace dem
     {
       Eigen::MatrixXd right(count, static_cast<Eigen::Index>(moving.size()) + 1);
       right.rightCols(static_cast<Eigen::Index>(moving.size())) = -load_columns(stiffness, moving);
-      right.col(0)                                              = forces_of(unbalanced);
+      right.col(0)                                              = forces_of(unbalanced.particles);
       return right;
     }
 
@@ -187,13 +187,13 @@ namespace dem
     }
 
     /** What is unbalanced, as forces on the unknowns. */
-    Eigen::VectorXd forces_of(const Unbalanced &unbalanced) const
+    Eigen::VectorXd forces_of(const CarrierMotions &on) const
     {
       Eigen::VectorXd right(count);
       for (std::size_t i = 0; i < loaded.held.size(); ++i)
         for (int c = 0; c < motions; ++c)
           if (const int u = unknown[motions * i + c]; u >= 0)
-            right[u] = unbalanced.particles(c, static_cast<Eigen::Index>(i)) / (c < 3 ? 1 : scale);
+            right[u] = on(c, static_cast<Eigen::Index>(i)) / (c < 3 ? 1 : scale);
       return right;
     }
 
@@ -218,11 +218,15 @@ namespace dem
         }
       if (loaded.body)
         for (std::size_t p = 0; p < of.size(); ++p)
-          for (Eigen::Index x = 0; x < loaded.body->by_load.size() && of[p] == loaded.driven; ++x)
+          for (Eigen::Index x = 0; x < loaded.body->by_load.size() && of[p] == loaded.body->load; ++x)
             if (const int u = unknown[motions * (loaded.network.particles() + static_cast<std::size_t>(x / 3)) +
                                       static_cast<std::size_t>(x % 3)];
                 u >= 0)
               columns(u, static_cast<Eigen::Index>(p)) += loaded.body->by_load[x];
+      if (loaded.dead)
+        for (std::size_t p = 0; p < of.size(); ++p)
+          if (of[p] == loaded.dead->parameter)
+            columns.col(static_cast<Eigen::Index>(p)) -= forces_of(loaded.dead->force);
       return columns;
     }
 
@@ -255,8 +259,15 @@ namespace dem
           sum += loaded.load_slip[i].transpose() * (stiffness[i].topRows<3>() * strained);
         }
       if (loaded.body)
-        sum[loaded.driven] +=
-          loaded.body->by_load.dot(joints_of(loaded, motion)) + loaded.body->of_load * motion.loads[loaded.driven];
+        sum[loaded.body->load] +=
+          loaded.body->by_load.dot(joints_of(loaded, motion)) + loaded.body->of_load * motion.loads[loaded.body->load];
+      if (loaded.dead)
+        {
+          const DeadLoad &dead = *loaded.dead;
+          const double    l = motion.loads[dead.parameter], p = motion.loads[dead.factor];
+          sum[dead.factor] -= l * dead.by_factor;
+          sum[dead.parameter] += dead.force_of(motion.particles, l, p);
+        }
       return sum;
     }
 
@@ -382,7 +393,7 @@ namespace dem
     Implementation &s = made();
     if (!s.factorize(stiffness))
       return false;
-    Eigen::VectorXd right = s.forces_of(unbalanced);
+    Eigen::VectorXd right = s.forces_of(unbalanced.particles);
     if (!change.isZero(0))
       right -= s.load_columns(stiffness, s.all) * s.of_all(change);
     const Eigen::VectorXd x = s.solve(right);

@@ -16,7 +16,7 @@ namespace fem
   }
 
   template <int dim>
-  CondensedSolid<dim>::CondensedSolid(Solid<dim> &of_solid, const std::vector<Dof> &wanted)
+  CondensedSolid<dim>::CondensedSolid(Solid<dim> &of_solid, const std::vector<Dof> &wanted, const Vector *const dead)
     : solid(of_solid)
   {
     if (!solid.linear())
@@ -30,6 +30,8 @@ namespace fem
     sort_displacements(wanted);
     assemble();
     condense();
+    if (dead)
+      condense_dead(*dead);
   }
 
   template <int dim>
@@ -155,7 +157,27 @@ namespace fem
   }
 
   template <int dim>
-  Vector CondensedSolid<dim>::displacement(const Eigen::VectorXd &x, const double p) const
+  void CondensedSolid<dim>::condense_dead(const Vector &force)
+  {
+    of_dead.on_kept = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(kept.size()));
+    dead_inside     = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(inside.size()));
+    for (Dof i = 0; i < place.size(); ++i)
+      {
+        of_dead.by_factor += prescribed[i] * force[i];
+        if (!is_prescribed(i))
+          (place[i] >= 0 ? of_dead.on_kept[place[i]] : dead_inside[-1 - place[i]]) = force[i];
+      }
+    if (inside.empty())
+      return;
+    const Eigen::VectorXd moved = factor.solve(dead_inside);
+    of_dead.on_kept -= between.transpose() * moved;
+    of_dead.by_factor -= on_inside.dot(moved);
+    of_dead.by_itself = dead_inside.dot(moved);
+    of_dead.on_loads  = load_inside.dot(moved);
+  }
+
+  template <int dim>
+  Vector CondensedSolid<dim>::displacement(const Eigen::VectorXd &x, const double p, const double part) const
   {
     Vector u = solid.make_vector();
     u.equ(p, prescribed);
@@ -164,7 +186,10 @@ namespace fem
         u[kept[k]] = x[static_cast<Eigen::Index>(k)];
     if (!inside.empty())
       {
-        const Eigen::VectorXd inner_motion = factor.solve(-(between * x) - p * on_inside);
+        Eigen::VectorXd on = -(between * x) - p * on_inside;
+        if (part != 0)
+          on += part * dead_inside;
+        const Eigen::VectorXd inner_motion = factor.solve(on);
         for (std::size_t k = 0; k < inside.size(); ++k)
           u[inside[k]] = inner_motion[static_cast<Eigen::Index>(k)];
       }

@@ -22,9 +22,10 @@ namespace fem
 
     /**
      * @param solid must outlive this; its supports need not hold it where what is kept does
+     * @param dead forces on all displacements that do not grow with p, of which a part l acts; null: none
      * @throws base::InputError if the solid is not linear, its loads are not in proportion to time, or a part of it is held by nothing
      */
-    CondensedSolid(Solid<dim> &solid, const std::vector<Dof> &kept);
+    CondensedSolid(Solid<dim> &solid, const std::vector<Dof> &kept, const Vector *dead = nullptr);
 
     /// Of the kept displacements x [N/m]; zero where they are prescribed.
     const Eigen::MatrixXd &stiffness() const { return of_kept; }
@@ -36,8 +37,18 @@ namespace fem
     const Eigen::VectorXd &load_work() const { return work_on_kept; }
     double                 own_load_work() const { return work_on_itself; }
 
-    /// Of the whole solid [m].
-    Vector displacement(const Eigen::VectorXd &x, double factor) const;
+    /// What the dead forces are to the kept displacements: their energy less their work is - l (f x + p by_factor) - 1/2 l^2 by_itself.
+    struct DeadForces
+    {
+      Eigen::VectorXd on_kept;       ///< f [N]
+      double          by_factor = 0; ///< [J]
+      double          by_itself = 0; ///< [J]
+      double          on_loads  = 0; ///< work of the forces applied at p = 1 on what they do, x at zero [J]
+    };
+    const DeadForces &dead() const { return of_dead; }
+
+    /// Of the whole solid [m]. @param part of the dead forces that acts
+    Vector displacement(const Eigen::VectorXd &x, double factor, double part = 0) const;
 
     /// Whether a displacement is prescribed.
     bool is_prescribed(const Dof dof) const { return solid.constraints().is_constrained(dof); }
@@ -49,6 +60,7 @@ namespace fem
     void   assemble();
     Vector in_proportion(const std::function<void(double, Vector &)> &of_time, const char *what) const;
     void   condense();
+    void   condense_dead(const Vector &force);
 
     Solid<dim>      &solid;
     Vector           prescribed, loads; ///< at a factor of one
@@ -56,7 +68,8 @@ namespace fem
     std::vector<Dof> kept, inside;
     Sparse           inner, between; ///< stiffness of those inside, and of inside against kept
     Eigen::MatrixXd  of_kept;
-    Eigen::VectorXd  on_kept, on_inside, work_on_kept, load_inside;
+    Eigen::VectorXd  on_kept, on_inside, work_on_kept, load_inside, dead_inside;
+    DeadForces       of_dead;
     double           of_loads = 0, work_on_itself = 0;
 
     Eigen::SimplicialLDLT<Sparse> factor;

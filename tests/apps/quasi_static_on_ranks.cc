@@ -139,6 +139,27 @@ TEST_CASE("Grips that turn have the same results on one rank and on three, by th
   CHECK(differences(folder / "one", folder / "three") == std::vector<std::string>());
 }
 
+TEST_CASE(
+  "A beam that bears its weight and is led by the opening of its notch has the same results on one rank and on two",
+  "[apps][mpi][ranks][weight][opening][slow]")
+{
+  if (places::skipped_without_mpirun())
+    return;
+  const ScratchFolder folder;
+  const std::string   words = run_of(
+      "bending_with_core.prm", {"Path/Linear solver=iterative", "Output/Points per snapshot=4",
+                                "Gravity/Acceleration=0, 0, -300", "Specimen/Density=4000", "Bending test/Length=0.12",
+                                "Path/Opening=opening", "Path/Opening step=2e-7", "Path/End opening=1e-6"});
+  REQUIRE(shell_in(folder, program_on(0, 1) + words + " -o one") == 0);
+  const postprocess::CsvTable series = postprocess::read_csv_table(folder / "one/series.csv", false, {"control"});
+  CHECK(series.column("weight").back() == 1);
+  const int status = shell_in(folder, program_on(2, 1) + words + " -o two");
+  INFO(content_of(folder / "said"));
+  REQUIRE(status == 0);
+  CHECK(differences(folder / "one", folder / "two") == std::vector<std::string>());
+  CHECK(figures_in(folder / "one") == figures_in(folder / "two"));
+}
+
 TEST_CASE("A beam whose elements become particles has the same results on one rank and on two, whatever the ties",
           "[apps][mpi][ranks][slow]")
 {

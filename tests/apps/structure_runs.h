@@ -8,9 +8,9 @@
 /** Of structures driven along their equilibria. */
 namespace apps_tests
 {
-  inline double peak_load(const Results &results)
+  inline double peak_load(const Results &results, const char *reaction = "reaction_load_z")
   {
-    const auto &load = results.series.column("reaction_load_z");
+    const auto &load = results.series.column(reaction);
     return -*std::min_element(load.begin(), load.end());
   }
 

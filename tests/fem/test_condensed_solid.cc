@@ -1,7 +1,10 @@
 // A solid seen from some of its displacements, against the whole.
 #include "base/errors.h"
+#include "fem/solid/weight.h"
 #include "fem/solvers/condensed_solid.h"
 #include "solid_fixture.h"
+
+#include <deal.II/dofs/dof_tools.h>
 
 using namespace dealii;
 
@@ -79,6 +82,63 @@ TEMPLATE_TEST_CASE_SIG("condensed solid: what is kept sees the solid as it is, a
                         0.5 * 0.49 * condensed.of_factor() + done;
   CHECK(stored == Approx(0.5 * (whole * model.solver->internal_force())).epsilon(1e-7));
   CHECK(done == Approx(whole * model.solver->external_force()).epsilon(1e-7));
+}
+
+TEMPLATE_TEST_CASE_SIG("condensed solid: dead forces move it and store energy in it as in the whole",
+                       "[fem][statics]",
+                       ((int dim), dim),
+                       2,
+                       3)
+{
+  constexpr double density = 2400, part = 0.4, p = 0.7;
+  Tensor<1, dim>   gravity;
+  gravity[1]                = -3e4; // so that it counts beside the loads
+  gravity[0]                = 1e4;
+  fem::Loads<dim> both      = loads<dim>();
+  both.body_force           = [&](const Point<dim> &, double) { return part * density * gravity; };
+  both.body_force_is_steady = true;
+  Model<dim> model = block(loads<dim>()), heavy = block(both);
+  REQUIRE(heavy.solver->advance_to(p).converged);
+  const fem::Vector &whole = heavy.solver->displacement();
+
+  std::map<types::material_id, double> densities;
+  for (const auto &[name, id] : model.solid.mesh().materials)
+    densities[id] = density;
+  const fem::Vector weight = fem::weight_of(model.solid, densities, gravity);
+  double            total  = 0;
+  ComponentMask     upright(dim, false);
+  upright.set(1, true);
+  for (const auto dof : DoFTools::extract_dofs(model.solid.dofs(), upright))
+    total += weight[dof];
+  CHECK(total == Approx(2 * density * gravity[1]).epsilon(1e-12)); // 2 m by 1 m by 1 m
+
+  fem::Vector moved = model.solid.make_vector();
+  model.solid.prescribed(1, moved);
+  std::vector<types::global_dof_index> kept;
+  for (types::global_dof_index i = 0; i < model.solid.dofs().n_dofs(); i += 3)
+    if (moved[i] == 0)
+      kept.push_back(i);
+  const fem::CondensedSolid<dim> condensed(model.solid, kept, &weight);
+  const auto                    &dead = condensed.dead();
+  Eigen::VectorXd                x(static_cast<Eigen::Index>(kept.size()));
+  for (std::size_t k = 0; k < kept.size(); ++k)
+    x[static_cast<Eigen::Index>(k)] = condensed.is_prescribed(kept[k]) ? 0.0 : whole[kept[k]];
+
+  const Eigen::VectorXd left = condensed.stiffness() * x + p * condensed.by_factor() - part * dead.on_kept;
+  CHECK(left.norm() < 1e-7 * (p * condensed.by_factor()).norm());
+  fem::Vector difference = condensed.displacement(x, p, part);
+  difference -= whole;
+  CHECK(difference.linfty_norm() < 1e-8 * whole.linfty_norm());
+
+  const double by_dead = part * (dead.on_kept.dot(x) + p * dead.by_factor + part * dead.by_itself);
+  const double done =
+    p * (condensed.load_work().dot(x) + p * condensed.own_load_work() + part * dead.on_loads) + by_dead;
+  const double potential = 0.5 * x.dot(condensed.stiffness() * x) + p * x.dot(condensed.by_factor()) +
+                           0.5 * p * p * condensed.of_factor() - part * (dead.on_kept.dot(x) + p * dead.by_factor) -
+                           0.5 * part * part * dead.by_itself;
+  CHECK(by_dead == Approx(part * (whole * weight)).epsilon(1e-7));
+  CHECK(done == Approx(whole * heavy.solver->external_force()).epsilon(1e-7));
+  CHECK(potential + done == Approx(0.5 * (whole * heavy.solver->internal_force())).epsilon(1e-7));
 }
 
 TEST_CASE("condensed solid: what has no such answer is refused", "[fem][statics]")

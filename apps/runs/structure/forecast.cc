@@ -32,6 +32,9 @@ namespace apps
     text += lines_of_tension_beyond_apex(model.material);
     text += structure.material_counts().text();
     text += fmt::format("  groups       {}\n", text_of(structure.members()));
+    if (model.gravity.acts())
+      text += fmt::format("  weight       {:.6g} N, without {} particles that would swing on hinges\n",
+                          structure.weight().norm(), structure.weightless().size());
     if (const StructureSolid *solid = structure.surrounding())
       {
         text += fmt::format("  elements     {}\n  unknowns     {}, of which particles see {} nodes\n",

@@ -1,15 +1,23 @@
 #include "apps/runs/structure/model.h"
 
 #include "apps/specimens/specimen_packing.h"
+#include "apps/text/nearest_name.h"
 
 #include <algorithm>
 
 namespace apps
 {
-  void PathSection::check(const base::EntryPath &root) const
+  void PathSection::check(const base::EntryPath &root, const DisplacementProbesSection &probes) const
   {
+    const base::EntryPath s = root.at("Path");
     if (step > end)
-      root.at("Path").refuse("Step", "must not be above End.");
+      s.refuse("Step", "must not be above End.");
+    if (leading.empty())
+      return;
+    if (!probes.find(leading))
+      s.refuse("Opening", "is no probe (a sub-section of Probes). " + did_you_mean_or_known(leading, probes.names()));
+    if (opening_step > end_opening)
+      s.refuse("Opening step", "must not be above End opening.");
   }
 
   dem::QuasiStaticParameters PathSection::parameters(dem::Ranks *const ranks) const
@@ -37,8 +45,9 @@ namespace apps
     groups.check(root, dimension, names);
     supports.check(root, dimension, names);
     probes.check(root, dimension, names);
-    path.check(root);
-    bending_test.check(root);
+    gravity.check(root, dimension);
+    path.check(root, probes);
+    bending_test.check(root, gravity.acts());
     wedge_splitting.check(root);
     if (!has_solid())
       return;
@@ -121,10 +130,22 @@ namespace apps
     return made;
   }
 
+  std::vector<Eigen::Vector3d> StructureModel::weights(const dem::Packing &packing) const
+  {
+    const std::vector<double>    density = materials(packing).densities(source.density);
+    std::vector<Eigen::Vector3d> weight;
+    for (std::size_t i = 0; i < packing.size(); ++i)
+      weight.push_back(density.at(packing.material.empty() ? 0 : static_cast<std::size_t>(packing.material[i])) *
+                       shape().volume(packing.radius[i]) * gravity.vector());
+    return weight;
+  }
+
   dem::LoadedNetwork StructureModel::particles(const dem::Packing &packing, const ParticleGroups &members) const
   {
     dem::LoadedNetwork loaded = dem::unloaded(network(packing));
     supports.drive(loaded, members);
+    if (gravity.acts())
+      dem::weigh_down(loaded, weights(packing));
     return loaded;
   }
 } // namespace apps

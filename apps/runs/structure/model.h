@@ -1,5 +1,6 @@
 #pragma once
 
+#include "apps/models/gravity.h"
 #include "apps/models/material.h"
 #include "apps/models/region.h"
 #include "apps/runs/continuum/model.h"
@@ -31,10 +32,12 @@ namespace apps
   {
     double            end = 0, step = 0, stop_fraction = 0.2, growth_step = 0.2, tolerance = 1e-7, damping = 0.7;
     dem::SolverMethod solver = dem::SolverMethod::automatic;
+    std::string       leading; ///< probe whose growth leads the path; empty: the load factor does
+    double            opening_step = 0, end_opening = 0; ///< of that probe [m]
 
-    /** @throws base::InputError */
-    void check(const base::EntryPath &root) const;
-    /** @param ranks that follow the path together; null: this process alone */
+    /** @throws base::InputError @param probes that may lead */
+    void check(const base::EntryPath &root, const DisplacementProbesSection &probes) const;
+    /** Without what leads it. @param ranks that follow the path together; null: this process alone */
     dem::QuasiStaticParameters parameters(dem::Ranks *ranks) const;
   };
 
@@ -52,6 +55,7 @@ namespace apps
     DisplacementProbesSection probes;
     ContinuumModel            continuum = ContinuumModel::of_each_rank(); ///< where there are handshakes
     HandshakesSection         handshakes;
+    GravitySection            gravity;
     PathSection               path;
     BendingTestSection        bending_test;
     WedgeSplittingSection     wedge_splitting;
@@ -81,7 +85,9 @@ namespace apps
     dem::ElasticNetwork linked(const dem::Packing &packing) const;
     /** The same but those that would cross a void. */
     dem::ElasticNetwork network(const dem::Packing &packing) const;
-    /** The particles alone, held and driven. @throws base::InputError */
+    /** Of each particle [N]. */
+    std::vector<Eigen::Vector3d> weights(const dem::Packing &packing) const;
+    /** The particles alone, held, driven and, where there is gravity, heavy. @throws base::InputError */
     dem::LoadedNetwork particles(const dem::Packing &packing, const ParticleGroups &groups) const;
     dem::ParticleShape shape() const { return {dimension, 0, source.thickness}; }
     dem::Physics       physics() const;

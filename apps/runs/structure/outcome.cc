@@ -18,7 +18,7 @@ namespace apps
       found.add_figures_of_column(column.name);
     found.add_figures({"crack/links", "crack/cracked", "crack/area", "load_factor"});
     if (model.bending_test.evaluate())
-      found.add_figures(BendingTestSection::names());
+      found.add_figures(BendingTestSection::names(model.gravity.acts()));
     if (model.wedge_splitting.evaluate())
       found.add_figures(WedgeSplittingSection::names());
     return found;

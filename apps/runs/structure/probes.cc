@@ -2,6 +2,8 @@
 
 #include "apps/runs/continuum/probe_column.h"
 
+#include <algorithm>
+
 namespace apps
 {
   void DisplacementProbesSection::check(const base::EntryPath &root, const int dimension, const GroupNames &names) const
@@ -17,6 +19,21 @@ namespace apps
         if (probe.axis >= dimension)
           s.refuse("Component", "in two dimensions the axes are x and y.");
       }
+  }
+
+  const DisplacementProbe *DisplacementProbesSection::find(const std::string &name) const
+  {
+    const auto found =
+      std::find_if(probes.begin(), probes.end(), [&](const DisplacementProbe &probe) { return probe.name == name; });
+    return found == probes.end() ? nullptr : &*found;
+  }
+
+  std::vector<std::string> DisplacementProbesSection::names() const
+  {
+    std::vector<std::string> all;
+    for (const DisplacementProbe &probe : probes)
+      all.push_back(probe.name);
+    return all;
   }
 
   std::vector<postprocess::SeriesColumn> DisplacementProbesSection::columns() const

@@ -27,6 +27,9 @@ namespace apps
     /** @throws base::InputError */
     void check(const base::EntryPath &root, int dimension, const GroupNames &names) const;
 
+    const DisplacementProbe *find(const std::string &name) const; ///< null: there is none of this name
+    std::vector<std::string> names() const;
+
     std::vector<postprocess::SeriesColumn> columns() const;
     /** @param displacement of each particle [m] */
     std::vector<double> read(const std::vector<Eigen::Vector3d> &displacement, const ParticleGroups &groups) const;

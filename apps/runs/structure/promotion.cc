@@ -56,7 +56,8 @@ namespace apps
   StructureParts Promotion::parts()
   {
     StructureParts some;
-    some.handshakes = handshakes();
+    some.handshakes   = handshakes();
+    some.bears_weight = bears_weight;
     if (!regions)
       {
         some.packing = packing;
@@ -94,7 +95,7 @@ namespace apps
 
   bool Promotion::promote()
   {
-    if (!regions)
+    if (!regions || !now->bears_weight()) // the solid bears all that it is given until then
       return false;
     const dem::LoadedMotion motion        = motion_of_all();
     const auto              region_before = regions->now();
@@ -103,6 +104,7 @@ namespace apps
     if (!regions->grow(*bonds, whole->network.links, in_solid))
       return false;
     std::unique_ptr<Structure> before = std::move(now);
+    bears_weight                      = true;
     try
       {
         now = made();
@@ -146,6 +148,9 @@ namespace apps
       }
     regions->set_now(std::move(region));
     if (state.reads() && regions->has_grown())
-      now = made();
+      {
+        bears_weight = true; // before, nothing grows
+        now          = made();
+      }
   }
 } // namespace apps

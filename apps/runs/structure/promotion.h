@@ -60,6 +60,7 @@ namespace apps
     std::optional<dem::LoadedNetwork>   whole; ///< of the packing, with the bonds that particles in elements would have
     std::unique_ptr<dem::DamagingLinks> bonds; ///< of the whole, as if never damaged
     coupling::PlaceMotions     in_solid;       ///< of all particles of the packing, at the last point that was checked
+    bool                       bears_weight = false; ///< as StructureParts has it, of what is made next
     std::unique_ptr<Structure> now;
   };
 } // namespace apps

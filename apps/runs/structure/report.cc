@@ -28,10 +28,27 @@ namespace apps
     const dem::Crack crack = dem::measure_crack(structure.particle_output(), structure.link_output(), model.shape());
     found["crack"] = {{"links", crack.links}, {"cracked", crack.cracked}, {"area", quantity(crack.area, "m^2")}};
     if (model.bending_test.evaluate())
-      found["bending_test"] = model.bending_test.figures(series, structure.curve().second);
+      found["bending_test"] = model.bending_test.figures(series, structure.curve().second, structure.weight().norm());
     if (model.wedge_splitting.evaluate())
       found["wedge_splitting"] = model.wedge_splitting.figures(series, structure.curve().second);
     found["load_factor"] = quantity(series.column("load_factor").back(), "-");
+    return found;
+  }
+
+  nlohmann::json StructureReport::weight() const
+  {
+    // Where all of it is on for the first time.
+    const auto &part = series.column("weight");
+    const auto  row =
+      static_cast<std::size_t>(std::find(part.begin(), part.end(), series.column("weight").back()) - part.begin());
+    nlohmann::json found = {{"force", quantity(structure.weight().norm(), "N")},
+                            {"points", row + 1},
+                            {"mean_damage", series.column("mean_damage").at(row)},
+                            {"weightless", structure.weightless().size()}};
+    double         lost  = 0;
+    for (const char *term : {"energy_damage", "energy_friction", "energy_damped"})
+      lost += series.column(term).at(row);
+    found["dissipated"] = quantity(lost, "J");
     return found;
   }
 
@@ -83,11 +100,14 @@ namespace apps
     summary["figures"]     = figures();
     summary["points"]      = {{"strain", points_by(dem::StepControl::strain)},
                               {"opening", points_by(dem::StepControl::opening)},
+                              {"leading", points_by(dem::StepControl::leading)},
                               {"relaxed", points_by(dem::StepControl::relaxed)},
                               {"promotion", points_by(dem::StepControl::changed)}};
     summary["warnings"]    = tension_beyond_apex(model.material);
-    summary["energy"]      = energy();
-    summary["cost"]        = cost();
+    if (model.gravity.acts())
+      summary["weight"] = weight();
+    summary["energy"] = energy();
+    summary["cost"]   = cost();
     structure.material_counts().put_into(summary);
     model.mixed().put_into(summary);
     if (const nlohmann::json by_class = classes().json(class_figures()); !by_class.empty())
@@ -115,6 +135,13 @@ namespace apps
         text += fmt::format("{:<40} {:.6g} {} at its peak, {:.6g} at the end\n", column.name, values[peak_row(values)],
                             column.unit, values.back());
       }
+    if (model.gravity.acts())
+      {
+        const nlohmann::json on = weight();
+        text += fmt::format("weight       {:.6g} N, put on in {} points; {:.3g} J of it dissipated\n",
+                            on["force"]["value"].get<double>(), on["points"].get<std::size_t>(),
+                            on["dissipated"]["value"].get<double>());
+      }
     const dem::Crack crack = dem::measure_crack(structure.particle_output(), structure.link_output(), model.shape());
     text += fmt::format("crack        {} of {} links cracked, {:.4g} m^2\n", crack.cracked, crack.links, crack.area);
     if (!media.empty() && structure.surrounding())
@@ -133,12 +160,15 @@ namespace apps
         fmt::format("             the force changes by {:+.2g} % at most where they do, at the load factor {:.6g}\n",
                     100 * step->change, step->load_factor);
     if (model.bending_test.evaluate())
-      text += model.bending_test.text(series, structure.curve().second);
+      text += model.bending_test.text(series, structure.curve().second, structure.weight().norm());
     if (model.wedge_splitting.evaluate())
       text += model.wedge_splitting.text(series, structure.curve().second);
-    text += fmt::format("path         {} points controlled by the load factor, {} by opening, {} relaxed (cascades)\n",
-                        points_by(dem::StepControl::strain), points_by(dem::StepControl::opening),
-                        points_by(dem::StepControl::relaxed));
+    const std::string led = model.path.leading.empty() ?
+                              "" :
+                              fmt::format("{} led by {}, ", points_by(dem::StepControl::leading), model.path.leading);
+    text += fmt::format(
+      "path         {}{} points controlled by the load factor, {} by opening, {} relaxed (cascades)\n", led,
+      points_by(dem::StepControl::strain), points_by(dem::StepControl::opening), points_by(dem::StepControl::relaxed));
     text += fmt::format("energy       balance error {:.1e} at worst\n", worst_residual(series));
     text += fmt::format("cost         {} with {} threads\n", duration_text(wall_seconds), omp_get_max_threads());
     return text;

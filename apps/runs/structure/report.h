@@ -26,6 +26,7 @@ namespace apps
 
   private:
     nlohmann::json figures() const;
+    nlohmann::json weight() const; ///< what it did when it was put on
     LinkClasses    classes() const;
     base::Column   class_figures() const; ///< of these, now
     nlohmann::json energy() const;

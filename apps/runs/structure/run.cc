@@ -69,8 +69,7 @@ namespace apps
   void StructureRun::visit_state(RunState &state)
   {
     promotion->visit_state(state);
-    state.group("path");
-    structure().way().visit_state(state);
+    structure().visit_path(state);
     visit_snapshots(state, "particle_snapshots", particles);
     visit_snapshots(state, "link_snapshots", links);
     visit_snapshots(state, "solid_snapshots", solids);
@@ -92,7 +91,7 @@ namespace apps
 
   void StructureRun::advance(const Record &record)
   {
-    structure().way().advance();
+    structure().advance();
     note(record);
     while (promotion->promote())
       note(record);

@@ -38,7 +38,7 @@ namespace apps
     std::string                            stage() const override { return "equilibrium"; }
     double                                 done() const override;
     std::string                            details() const override;
-    bool                                   finished() const override { return structure().way().finished(); }
+    bool                                   finished() const override { return structure().finished(); }
     void                                   advance(const Record &record) override;
     void                                   leave_last_state() override { snapshot(); }
     RunFindings                            findings(const postprocess::CsvTable &series, double wall_seconds) override;

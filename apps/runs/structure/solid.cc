@@ -8,11 +8,13 @@
 #include "fem/mesh/extent.h"
 #include "fem/mesh/point_in_space.h"
 #include "fem/solid/point_search.h"
+#include "fem/solid/weight.h"
 
 #include <Eigen/Geometry>
 #include <deal.II/dofs/dof_tools.h>
 
 #include <algorithm>
+#include <map>
 #include <utility>
 
 namespace apps
@@ -25,9 +27,12 @@ namespace apps
     public:
       SurroundingSolid(const StructureModel &model, const HandshakesSection &handshakes, dem::LoadedNetwork particles)
         : solid(made(model, handshakes))
-        , both(std::move(particles), *solid, parameters(model, handshakes))
+        , weights(weights_of(*solid, model))
+        , both(std::move(particles), *solid, parameters(model, handshakes), weights ? &*weights : nullptr)
         , probes(*solid, model.continuum)
       {
+        if (weights)
+          hinges = dem::unload_hinges(both.network());
         // What is linear neither loses energy nor is damaged.
         const std::vector<ProbeColumn> all = probes.columns();
         for (std::size_t k = 0; k < all.size(); ++k)
@@ -42,9 +47,12 @@ namespace apps
 
       std::vector<double> read(const dem::LoadedMotion &motion) const override
       {
-        const State     now = state(motion);
+        State           now = state(motion);
         ContinuumEnergy energy;
         energy.internal = 0.5 * (now.displacement * now.internal);
+        if (weights)
+          now.internal.add(-part_of_weight(motion), *weights); // what is left of it is borne by loads and supports
+        now.internal.update_ghost_values();
         return reported_of(probes.read({&now.displacement, &now.internal, &now.external}, energy));
       }
 
@@ -77,6 +85,17 @@ namespace apps
       }
 
       std::vector<std::vector<std::size_t>> shared_links() const override { return both.shared_links(); }
+      const std::vector<dem::Mechanism>    &swinging() const override { return hinges; }
+
+      Eigen::Vector3d weight() const override
+      {
+        Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+        for (unsigned int c = 0; weights && c < dim; ++c)
+          for (const auto dof : dealii::DoFTools::extract_dofs(solid->dofs(), component_mask(c)))
+            sum[c] += (*weights)[dof];
+        return sum;
+      }
+
       std::size_t elements() const override { return solid->mesh().triangulation->n_global_active_cells(); }
       std::size_t unknowns() const override { return solid->dofs().n_dofs(); }
       std::size_t joints() const override { return static_cast<std::size_t>(both.network().body->joints()); }
@@ -99,6 +118,8 @@ namespace apps
       {
         State now = state(motion);
         now.internal -= now.external;
+        if (weights)
+          now.internal.add(-part_of_weight(motion), *weights);
         now.internal.update_ghost_values();
         write_whole_solid(*solid, now.displacement, now.internal, {folder / "solid", "solid", number, time});
       }
@@ -172,6 +193,32 @@ namespace apps
         return make_solid<dim>(model.continuum, taken);
       }
 
+      static std::optional<fem::Vector> weights_of(const fem::Solid<dim> &solid, const StructureModel &model)
+      {
+        if (!model.gravity.acts())
+          return std::nullopt;
+        std::map<dealii::types::material_id, double> density;
+        for (const auto &group : model.continuum.materials.groups)
+          if (const auto found = solid.mesh().materials.find(group->group); found != solid.mesh().materials.end())
+            density[found->second] = group->density;
+        dealii::Tensor<1, dim> gravity;
+        for (unsigned int c = 0; c < dim; ++c)
+          gravity[c] = model.gravity.acceleration[c];
+        return fem::weight_of(solid, density, gravity);
+      }
+
+      double part_of_weight(const dem::LoadedMotion &motion) const
+      {
+        return motion.loads[both.network().dead->parameter];
+      }
+
+      static dealii::ComponentMask component_mask(const unsigned int component)
+      {
+        dealii::ComponentMask mask(dim, false);
+        mask.set(component, true);
+        return mask;
+      }
+
       static std::vector<coupling::VolumeCouplingParameters> parameters(const StructureModel    &model,
                                                                         const HandshakesSection &handshakes)
       {
@@ -205,9 +252,11 @@ namespace apps
       }
 
       std::unique_ptr<fem::Solid<dim>> solid;
+      std::optional<fem::Vector>       weights; ///< forces by which it is drawn down; none: there is no gravity
       coupling::StaticHandshake<dim>   both;
       ContinuumProbes<dim>             probes;
       std::vector<std::size_t>         reported; ///< of its columns
+      std::vector<dem::Mechanism>      hinges;   ///< particles whose weight is left out
 
       mutable std::vector<Eigen::Vector3d>                         looked_for;
       mutable std::vector<std::optional<fem::PlaceInElement<dim>>> found; ///< of each of these

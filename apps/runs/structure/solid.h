@@ -4,6 +4,7 @@
 #include "apps/runs/coupled/particle_medium.h"
 #include "apps/runs/structure/model.h"
 #include "coupling/promotion/place_motion.h"
+#include "dem/network/loaded_hinges.h"
 
 #include <Eigen/Core>
 
@@ -36,9 +37,12 @@ namespace apps
 
     /** Links with an end in the overlap of each handshake, in the scene's order. */
     virtual std::vector<std::vector<std::size_t>> shared_links() const = 0;
-    virtual std::size_t                           elements() const     = 0;
-    virtual std::size_t                           unknowns() const     = 0;
-    virtual std::size_t                           joints() const       = 0;
+    /** Particles whose weight is left out, as no equilibrium would bear it (dem::unload_hinges()). */
+    virtual const std::vector<dem::Mechanism> &swinging() const = 0;
+    virtual Eigen::Vector3d                    weight() const   = 0; ///< of the solid, as far as it counts [N]
+    virtual std::size_t                        elements() const = 0;
+    virtual std::size_t                        unknowns() const = 0;
+    virtual std::size_t                        joints() const   = 0;
 
     /** Largest difference of a material's stiffness from that of the particles in its place, over its norm. */
     virtual double difference_from(const ParticleMedia &media) const = 0;

@@ -54,7 +54,7 @@ namespace apps
   std::vector<std::string> WedgeSplittingSection::names()
   {
     std::vector<std::string> all = {"splitting_force", "machine_force", "nominal_strength"};
-    for (const std::string &name : WorkOfFracture::names())
+    for (const std::string &name : WorkOfFracture::names(false))
       all.push_back(name);
     for (std::string &name : all)
       name.insert(0, "wedge_splitting/");

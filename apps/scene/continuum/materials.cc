@@ -47,7 +47,8 @@ namespace apps
     section.number("Density", material_of_group.density, "kg/m^3", Range::positive(), Need::required)
       .means("Mass per volume")
       .only_if([&material_of_group, is_explicit] { return is_explicit() && !material_of_group.is_homogenised(); },
-               holds_particles ? "in motion, and the law is not homogenised" : "Model/Analysis = explicit");
+               holds_particles ? "in motion or under its weight, and the law is not homogenised" :
+                                 "Model/Analysis = explicit");
 
     for (const auto &kind : kinds)
       {

@@ -173,12 +173,11 @@ namespace apps
     declare(root, model.contacts, [] { return true; });
   }
 
-  void declare_as_static_part(Section &root, ContinuumModel &model)
+  void declare_as_static_part(Section &root, ContinuumModel &model, std::function<bool()> weighs)
   {
     declare(root, model.solid);
     declare(root, model.mesh, model.solid.dimension);
-    declare(
-      root, model.materials, [] { return false; }, true);
+    declare(root, model.materials, std::move(weighs), true);
     declare(root, model.loads);
   }
 } // namespace apps

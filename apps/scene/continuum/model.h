@@ -15,6 +15,6 @@ namespace apps
   void declare_alone(Section &root, ContinuumModel &model);
   /** The sections of a solid that moves together with something else: the scene says where that ends and what is written. */
   void declare_as_part(Section &root, ContinuumModel &model);
-  /** Those of a solid in equilibrium with something else. */
-  void declare_as_static_part(Section &root, ContinuumModel &model);
+  /** Those of a solid in equilibrium with something else. @param weighs whether its weight acts */
+  void declare_as_static_part(Section &root, ContinuumModel &model, std::function<bool()> weighs);
 } // namespace apps

@@ -2,6 +2,7 @@
 
 #include "apps/scene/continuum/model.h"
 #include "apps/scene/coupled/handshakes.h"
+#include "apps/scene/entries/gravity.h"
 #include "apps/scene/entries/material.h"
 #include "apps/scene/entries/mix.h"
 #include "apps/scene/entries/path_steps.h"
@@ -45,11 +46,23 @@ namespace apps
              "balance)");
     s.number("Stop fraction", path.stop_fraction, "-", Range::from_up_to(0, 1), Need::optional)
       .means("The path ends when the force of the load factor has fallen to this part of its peak; 0: never");
+    s.text("Opening", path.leading, Need::optional)
+      .means("Name of a probe that grows from point to point in equal steps while load and load factor follow, up or "
+             "down, as the opening of a notch does in a test that it controls; empty: the load factor, and where "
+             "damage is fast "
+             "the largest growth of a link");
+    const Condition led{[&path] { return !path.leading.empty(); }, "there is an Opening"};
+    s.number("Opening step", path.opening_step, "m", Range::positive(), Need::required)
+      .only_if(led)
+      .means("From one point to the next; where no equilibrium is found so far, there are points between");
+    s.number("End opening", path.end_opening, "m", Range::positive(), Need::required)
+      .only_if(led)
+      .means("At which the path ends at the latest; as the steps, from where the weight is on");
     declare_path_steps(s, path.growth_step, path.tolerance, path.damping, "forces of links and solid");
     declare_path_solver(s, path.solver);
   }
 
-  void declare(Section &root, BendingTestSection &test)
+  void declare(Section &root, BendingTestSection &test, const Condition &heavy)
   {
     Section &s = root.section(
       "Bending test",
@@ -68,6 +81,12 @@ namespace apps
       .only_if(evaluated)
       .means("What it takes from Depth; figures are nominal strength 3 F S / (2 b (d - a)^2), and work over ligament b "
              "(d - a)");
+    s.number("Length", test.length, "m", Range::positive(), Need::required)
+      .only_if([&test, heavy] { return test.evaluate() && heavy.holds(); }, "Span > 0 and " + heavy.words)
+      .means(
+        "Of the whole beam: of its weight, Span over Length is between the supports, m g, and works beside the load "
+        "along the deflection d_0 to the end; the work over the ligament is then (W_0 + m g d_0)/(b (d - a)) (RILEM TC "
+        "50-FMC)");
   }
 
   void declare(Section &root, WedgeSplittingSection &test)
@@ -101,7 +120,12 @@ namespace apps
     use.genesis = true;
     declare(root, model.source, model.dimension, use);
     declare(*root.find_section("Specimen"), model.mix);
-    declare(root, model.material, use.inertia);
+    const Condition heavy{[&model] { return model.gravity.acts(); }, "Gravity/Acceleration is not 0"};
+    root.find_section("Specimen")
+      ->number("Density", model.source.density, "kg/m^3", Range::positive(), Need::required)
+      .only_if(heavy)
+      .means("Of the particles, not of the bulk: bulk density over packing fraction");
+    declare(root, model.material, true);
     declare_static_physics(root, model.dimension, model.rotations);
     root
       .section("Voids", "One sub-section per place without particles, as a notch is: particles whose centre lies in it "
@@ -114,10 +138,12 @@ namespace apps
       "Continuum", "The solid around the particles, linear elastic; sections of a scene of kind continuum, "
                    "its loads and displacements in proportion to t");
     solid.only_if([&model] { return model.has_solid(); }, "section Handshakes is there");
-    declare_as_static_part(solid, model.continuum);
+    declare_as_static_part(solid, model.continuum, [&model] { return model.gravity.acts(); });
     declare(root, model.handshakes, model.continuum, false);
+    declare_dead_weight(root, model.gravity,
+                        "Weight of everything, particles and solid; it is put on before anything is driven, and stays");
     declare(root, model.path);
-    declare(root, model.bending_test);
+    declare(root, model.bending_test, heavy);
     declare(root, model.wedge_splitting);
     declare(root, model.probes);
     declare_output(root, model);
