@@ -21,9 +21,11 @@ namespace apps
     last                 = std::copysign(1.0, *greatest) * forces.back();
     work                 = series.column("energy_work").back();
     if (std::find(series.names.begin(), series.names.end(), "energy_weight") != series.names.end())
-      work -= series.column("energy_weight").back();
-    if (peak > 0) // the path drives the load so far per unit of its factor
-      way = std::fabs(series.column("force_of_load_factor")[row] / peak) * series.column("load_factor").back();
+      {
+        work -= series.column("energy_weight").back();
+        if (peak > 0) // the path drives the load so far per unit of its factor
+          way = std::fabs(series.column("force_of_load_factor")[row] / peak) * series.column("load_factor").back();
+      }
     for (const char *term : {"energy_damage", "energy_friction", "energy_damped"})
       lost += series.column(term).back();
   }

@@ -15,7 +15,7 @@ namespace apps
     double peak = 0, last = 0; ///< load, as a size and as it is [N]
     double work = 0;           ///< by what is driven, from where the weight is on [J]
     double lost = 0;           ///< dissipated, of this and of the work of the weight [J]
-    double way  = 0;           ///< of the load from there to the end, along which it works [m]
+    double way  = 0; ///< of the load from there to the end, along which it works; only where a weight acts [m]
 
     /** @param series complete @param load column of the load */
     WorkOfFracture(const postprocess::CsvTable &series, const std::string &load);
