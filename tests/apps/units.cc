@@ -1,4 +1,5 @@
 // Numbers in another unit: questioned, and taken when the unit is named; the unit of lengths in files; what check reports of extents.
+#include "apps/text/column_unit.h"
 #include "tests/apps/continuum_scenes.h"
 #include "tests/apps/scene_runs.h"
 #include "tests/apps/scenes.h"
@@ -58,6 +59,30 @@ TEST_CASE("A number of another unit is questioned in every dimension, and taken 
   CHECK_THAT(requested.err, Contains(odd.entry + " = " + odd.value + ": ") && Contains(odd.question) &&
                               Contains("If it is meant, name the unit: " + odd.value + " " + odd.unit));
   CHECK_THAT(check(odd.value + " " + odd.unit).err, Contains("Output/Samples = none: expected a whole number"));
+}
+
+TEST_CASE("A column of any usual unit is put into that of the System", "[apps]")
+{
+  struct Case
+  {
+    const char *from, *to;
+    double      of_one;
+  };
+  for (const Case &one :
+       {Case{"MPa", "Pa", 1e6}, Case{"N/mm^2", "Pa", 1e6}, Case{"GPa", "Pa", 1e9}, Case{"kN", "N", 1e3},
+        Case{"mm", "m", 1e-3}, Case{"um", "m", 1e-6}, Case{"mm^2", "m^2", 1e-6}, Case{"cm^3", "m^3", 1e-6},
+        Case{"%", "-", 1e-2}, Case{"per mille", "-", 1e-3}, Case{"ms", "s", 1e-3}, Case{"min", "s", 60},
+        Case{"mm/s", "m/s", 1e-3}, Case{"g", "kg", 1e-3}, Case{"deg", "rad", 0.017453292519943295}, Case{"m", "m", 1},
+        Case{"-", "-", 1}, Case{"N/m", "N/m", 1}, Case{"", "", 1}})
+    {
+      INFO(one.from);
+      postprocess::CsvTable table{{"x"}, {one.from}, {{1.0, 3.0}}, "t.csv", {}};
+      apps::put_in_si(table, 0);
+      CHECK(table.units[0] == one.to);
+      CHECK(table.columns[0][1] == Approx(3 * one.of_one).epsilon(1e-14));
+    }
+  postprocess::CsvTable table{{"x"}, {"psi"}, {{1.0}}, "t.csv", {}};
+  CHECK_THROWS_WITH(apps::put_in_si(table, 0), Contains("t.csv: column x is in [psi], which is not known"));
 }
 
 TEST_CASE("The stress of a cell's leg is questioned, and taken with its unit named", "[apps]")
