@@ -20,6 +20,10 @@ namespace
   {
     std::string text, message; ///< of the file; after "FILE"
   };
+
+  const std::string of_diameters =
+    ": speaks of diameters, and the fourth column is taken for the radius. Say what it is above the rows: \"# x y z "
+    "diameter\", or \"# x y z radius\".";
 } // namespace
 
 TEST_CASE("a faulty text packing is refused with file, line and reason", "[postprocess]")
@@ -45,17 +49,9 @@ TEST_CASE("a faulty text packing is refused with file, line and reason", "[postp
     Refusal{"# x y z of centres\n0 0 0 1\n",
             ", line 1: seems to name the 4 columns below, and not each of x, y, z and radius (or diameter) once. Name "
             "them so, e.g. \"# x y z radius\", or reword the comment."},
-    Refusal{"# column 4 is the diameter\n0 0 0 1\n",
-            ", line 1: speaks of diameters, and the fourth column is taken for "
-            "the radius. Say what it is above the rows: \"# x y z diameter\", "
-            "or \"# x y z radius\"."},
-    Refusal{"0 0 0 1\n# x y z diameter\n",
-            ", line 2: speaks of diameters, and the fourth column is taken for the radius. "
-            "Say what it is above the rows: \"# x y z diameter\", or \"# x y z radius\"."},
-    Refusal{
-      "# positions and diameters.\n0 0 0 1\n",
-      ", line 1: speaks of diameters, and the fourth column is taken for the radius. Say what it is above the rows: "
-      "\"# x y z diameter\", or \"# x y z radius\"."},
+    Refusal{"# column 4 is the diameter\n0 0 0 1\n", ", line 1" + of_diameters},
+    Refusal{"0 0 0 1\n# x y z diameter\n", ", line 2" + of_diameters},
+    Refusal{"# positions and diameters.\n0 0 0 1\n", ", line 1" + of_diameters},
     Refusal{"# cx cy cz rad\n0 0 0 1\n",
             ", line 1: seems to name the 4 columns below, and not each of x, y, z and radius (or diameter) once. Name "
             "them so, e.g. \"# x y z radius\", or reword the comment."},
