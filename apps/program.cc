@@ -53,13 +53,47 @@ namespace apps
                                  fmt::format("\"{}\" is not a command.{}{}", word, words.empty() ? "" : " ", words));
     }
 
-    /** A wrong command line in one message, with the nearest command where a command was meant. */
+    std::vector<std::string> option_names(const CLI::App &command)
+    {
+      std::vector<std::string> names;
+      for (const CLI::Option *option : command.get_options())
+        for (const std::string &name : option->get_lnames())
+          names.push_back("--" + name);
+      return names;
+    }
+
+    bool is_long_option(const std::string &word) { return word.rfind("--", 0) == 0; }
+
+    /** What of a command line is no option of its command, with the one that was meant; "" where it is all known. */
+    std::string unknown_option(const CLI::App &command, const std::vector<std::string> &left)
+    {
+      const auto known = option_names(command);
+      for (const std::string &word : left)
+        {
+          const std::string name = word.substr(0, word.find('='));
+          if (!is_long_option(word) || std::find(known.begin(), known.end(), name) != known.end())
+            continue;
+          const std::string meant = did_you_mean(name, known);
+          return fmt::format("\"{}\" is not an option.{}{}", name, meant.empty() ? "" : " ", meant);
+        }
+      return {};
+    }
+
+    /** A wrong command line in one message, with the nearest command or option where one was meant. */
     int refuse_words(const CLI::App &program, const CLI::ParseError &error, const std::string &first_word)
     {
-      const auto typed = program.get_subcommands();
-      if (typed.empty() && !first_word.empty() && first_word[0] != '-')
+      const CLI::App *command = &program;
+      std::string     path;
+      for (auto typed = program.get_subcommands(); !typed.empty(); typed = command->get_subcommands())
+        {
+          command = typed.front();
+          path += " " + command->get_name();
+        }
+      if (path.empty() && !first_word.empty() && first_word[0] != '-')
         return refuse_command(program, first_word);
-      return refuse_command_line(typed.empty() ? "" : " " + typed.front()->get_name(), error.what());
+      const std::string unknown =
+        unknown_option(*command, path.empty() ? std::vector<std::string>{first_word} : command->remaining());
+      return refuse_command_line(path, unknown.empty() ? error.what() : unknown);
     }
 
     /** "help" and "help run" are "--help" and "run --help". */

@@ -1,6 +1,6 @@
 // The main function of every test executable: Catch2's, and besides
 //
-//   test_ROOM --write-ctest FILE PREFIX [by-file]     lists the test cases as CTest commands (run by the build)
+//   test_ROOM --write-ctest FILE PREFIX CACHES [by-file]     lists the test cases as CTest commands (run by the build)
 #define CATCH_CONFIG_RUNNER
 #include "dem/core/floating_point_traps.h"
 
@@ -46,13 +46,14 @@ namespace
 
   // Fast tests come first. All run side by side on one thread each, which wastes less than several threads in a test; what is of
   // several threads requests them, and threads that wait sleep: it would otherwise spend its time in barriers. Ranks do not sleep.
-  // Packings are made by the program under test: none comes out of the user's cache.
-  std::string properties(const Catch::TestCase &test)
+  // Packings are made by the program under test: the cache is the tests' own, and emptied before the first of them.
+  std::string properties(const Catch::TestCase &test, const std::string &caches)
   {
     return std::string(has_tag(test, "slow") ? "LABELS slow COST 1" : "LABELS fast COST 100") + " PROCESSORS " +
            (has_tag(test, "mpi") ? "2" : "1") +
            (has_tag(test, "mpi") || has_tag(test, "zsh") ? " SKIP_REGULAR_EXPRESSION \"Skipped: there is no \"" : "") +
-           " ENVIRONMENT \"OMP_NUM_THREADS=1;OMP_WAIT_POLICY=passive;XDG_CACHE_HOME=/dev/null\"";
+           " FIXTURES_REQUIRED caches ENVIRONMENT " +
+           quoted("OMP_NUM_THREADS=1;OMP_WAIT_POLICY=passive;XDG_CACHE_HOME=" + caches);
   }
 
   /** Without folder and extension, as Catch2 makes tags of files. */
@@ -64,14 +65,18 @@ namespace
   }
 
   /** @param by_file fast tests of a source run in one process: where it takes longer to start than most tests do */
-  int write_ctest(const std::string &executable, const std::string &file, const std::string &prefix, const bool by_file)
+  int write_ctest(const std::string &executable,
+                  const std::string &file,
+                  const std::string &prefix,
+                  const std::string &caches,
+                  const bool         by_file)
   {
     const Catch::Config   config;
     std::ofstream         out(file);
     std::set<std::string> files;
     const auto            add = [&](const std::string &name, const std::string &selected, const Catch::TestCase &like) {
       out << "add_test(" << name << ' ' << quoted(executable) << " -w NoTests " << selected << ")\n"
-          << "set_tests_properties(" << name << " PROPERTIES " << properties(like) << ")\n";
+          << "set_tests_properties(" << name << " PROPERTIES " << properties(like, caches) << ")\n";
     };
     for (const Catch::TestCase &test : Catch::getAllTestCasesSorted(config))
       {
@@ -99,8 +104,8 @@ namespace
 int main(int argc, char *argv[])
 {
   Catch::Session session;
-  if (argc >= 4 && std::string(argv[1]) == "--write-ctest")
-    return write_ctest(argv[0], argv[2], argv[3], argc == 5 && std::string(argv[4]) == "by-file");
+  if (argc >= 5 && std::string(argv[1]) == "--write-ctest")
+    return write_ctest(argv[0], argv[2], argv[3], argv[4], argc == 6 && std::string(argv[5]) == "by-file");
   dem::enable_floating_point_traps();
   return session.run(argc, argv);
 }

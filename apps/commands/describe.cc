@@ -16,6 +16,7 @@
 #include <cctype>
 #include <memory>
 #include <optional>
+#include <set>
 
 namespace apps
 {
@@ -106,6 +107,31 @@ namespace apps
         names.push_back(entry->name);
       for (const auto &subsection : section.sections())
         collect_names(*subsection, names);
+    }
+
+    void add_words(const std::string &text, std::set<std::string> &words)
+    {
+      constexpr std::size_t telling = 4; // letters; shorter ones are like too many others
+      std::string           word;
+      for (const char c : text + ' ')
+        if (std::isalpha(static_cast<unsigned char>(c)) != 0)
+          word += c;
+        else
+          {
+            if (word.size() >= telling)
+              words.insert(in_lower_case(word));
+            word.clear();
+          }
+    }
+
+    /** Those of what is said of entries: they are searched too. */
+    void collect_words(const Section &section, std::set<std::string> &words)
+    {
+      for (const auto &entry : section.entries())
+        for (const std::string &text : {entry->value, entry->allowed, entry->meaning})
+          add_words(text, words);
+      for (const auto &subsection : section.sections())
+        collect_words(*subsection, words);
     }
 
     /** A text, and the kinds of scenes that it holds for. */
@@ -263,13 +289,18 @@ namespace apps
     [[noreturn]] void refuse_unknown(const std::vector<Described> &scenes, const std::string &wanted)
     {
       std::vector<std::string> names;
+      std::set<std::string>    words;
       for (const Described &scene : scenes)
-        collect_names(*scene.root, names);
-      const std::string answer = absent(wanted), nearest = did_you_mean(wanted, names);
+        {
+          collect_names(*scene.root, names);
+          collect_words(*scene.root, words);
+        }
+      names.insert(names.end(), words.begin(), words.end());
+      const std::string answer = absent(wanted), nearest = nearest_spelling(wanted, names);
       throw base::InputError("command line: there is no section or entry \"" + wanted + "\"" +
                              (!answer.empty() ? ". " + answer :
                               nearest.empty() ? ", and none speaks of it." :
-                                                ". " + nearest));
+                                                ". Did you mean \"" + nearest + "\"?"));
     }
 
     /** Sections and entries of all kinds, or of the requested one. */

@@ -22,14 +22,10 @@ set(apps_commands_sources
   bench/sequential.cc
   bench/size_effect.cc
   bench/size_effect_answer.cc
-  bench/size_effect_beams.cc
   bench/size_effect_fit.cc
   bench/size_effect_laws.cc
   bench/size_effect_report.cc
   bench/size_effect_universal.cc
-  bench/structure.cc
-  bench/structure_solvers.cc
-  bench/surface.cc
   bench/uniaxial.cc
   bench/uniaxial_cases.cc
   bench/uniaxial_table.cc
@@ -94,6 +90,10 @@ set(apps_bench_solids_sources
   bench/impact_of_bodies.cc
   bench/multiscale.cc
   bench/plain_elasticity.cc
+  bench/size_effect_beams.cc
+  bench/structure.cc
+  bench/structure_solvers.cc
+  bench/surface.cc
   commands/bench_conservation.cc
   commands/bench_multiscale.cc
 )

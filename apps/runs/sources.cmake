@@ -54,21 +54,8 @@ set(runs_sources
   runs/continuum/loads.cc
   runs/continuum/materials.cc
   runs/continuum/model.cc
-  runs/continuum/outcome.cc
-  runs/continuum/summary.cc
   runs/continuum/upright.cc
   runs/coupled/bond.cc
-  runs/coupled/couplings.cc
-  runs/coupled/forecast.cc
-  runs/coupled/handshakes.cc
-  runs/coupled/laboratory.cc
-  runs/coupled/model.cc
-  runs/coupled/out_of_reach.cc
-  runs/coupled/outcome.cc
-  runs/coupled/particle_medium.cc
-  runs/coupled/report.cc
-  runs/coupled/run.cc
-  runs/coupled/sub_cycling_forecast.cc
   runs/homogenisation/forecast.cc
   runs/homogenisation/model.cc
   runs/homogenisation/moduli.cc
@@ -100,7 +87,6 @@ set(runs_sources
   runs/particles/stops.cc
   runs/particles/wall_files.cc
   runs/particles/walls.cc
-  runs/peridynamic_core/body.cc
   runs/peridynamic_core/forecast.cc
   runs/peridynamic_core/model.cc
   runs/peridynamic_core/outcome.cc
@@ -121,7 +107,6 @@ set(runs_sources
   runs/quasi_static/outcome.cc
   runs/quasi_static/report.cc
   runs/quasi_static/run.cc
-  runs/sequential/forecast.cc
   runs/sequential/groundwork.cc
   runs/sequential/law_identification.cc
   runs/sequential/law_origin.cc
@@ -130,21 +115,15 @@ set(runs_sources
   runs/sequential/particle_case.cc
   runs/sequential/particle_event.cc
   runs/sequential/particles.cc
-  runs/sequential/run.cc
-  runs/sequential/study.cc
   runs/sequential/study_folder.cc
   runs/sequential/study_picture.cc
   runs/sequential/study_warnings.cc
   runs/sequential/transfer_output.cc
   runs/sequential/transfer_section.cc
-  runs/structure/forecast.cc
-  runs/structure/outcome.cc
   runs/structure/probes.cc
   runs/structure/model.cc
-  runs/structure/promotion.cc
   runs/structure/promotion_steps.cc
   runs/structure/report.cc
-  runs/structure/run.cc
   runs/structure/structure.cc
   runs/structure/supports.cc
   runs/structure/bending_test.cc
@@ -200,8 +179,10 @@ set(runs_sources
 )
 
 set(runs_solids_sources
+  process/mpi_ranks.cc
   process/mpi_session.cc
   process/path_solver.cc
+  results/shared_state.cc
   runs/continuum/analysis.cc
   runs/continuum/cells.cc
   runs/continuum/contact_analysis.cc
@@ -209,33 +190,52 @@ set(runs_solids_sources
   runs/continuum/dissipated_places.cc
   runs/continuum/expected_duration.cc
   runs/continuum/explicit.cc
-  runs/continuum/probes.cc
+  runs/continuum/forecast.cc
   runs/continuum/mesh.cc
   runs/continuum/mesh_mix.cc
   runs/continuum/motion.cc
   runs/continuum/moving_solid.cc
   runs/continuum/one_step.cc
+  runs/continuum/outcome.cc
   runs/continuum/picture.cc
   runs/continuum/picture_facets.cc
   runs/continuum/precice_analysis.cc
+  runs/continuum/probes.cc
   runs/continuum/run.cc
-  runs/continuum/forecast.cc
   runs/continuum/snapshot.cc
   runs/continuum/softening_watch.cc
   runs/continuum/solid.cc
   runs/continuum/solid_nodes.cc
   runs/continuum/static.cc
   runs/continuum/stress_picture.cc
+  runs/continuum/summary.cc
   runs/coupled/body.cc
+  runs/coupled/couplings.cc
   runs/coupled/element_region.cc
   runs/coupled/energy_watch.cc
+  runs/coupled/forecast.cc
+  runs/coupled/handshakes.cc
+  runs/coupled/laboratory.cc
+  runs/coupled/model.cc
+  runs/coupled/out_of_reach.cc
+  runs/coupled/outcome.cc
+  runs/coupled/particle_medium.cc
   runs/coupled/pictures.cc
-  runs/coupled/taken_places.cc
-  runs/sequential/continuation.cc
-  runs/sequential/outline.cc
-  runs/structure/solid.cc
-  results/shared_state.cc
-  process/mpi_ranks.cc
   runs/coupled/placed_handshakes.cc
+  runs/coupled/report.cc
+  runs/coupled/run.cc
   runs/coupled/series.cc
+  runs/coupled/sub_cycling_forecast.cc
+  runs/coupled/taken_places.cc
+  runs/peridynamic_core/body.cc
+  runs/sequential/continuation.cc
+  runs/sequential/forecast.cc
+  runs/sequential/outline.cc
+  runs/sequential/run.cc
+  runs/sequential/study.cc
+  runs/structure/forecast.cc
+  runs/structure/outcome.cc
+  runs/structure/promotion.cc
+  runs/structure/run.cc
+  runs/structure/solid.cc
 )

@@ -36,6 +36,10 @@ namespace apps
         {{"fabric", "coordination", "couple stress", "stress tensor"},
          "These are printed by \"breccia measure\" for a state that a run of bonded particles left "
          "(doc/theory/stress-and-fabric.md)."},
+        {{"rebar", "rebars", "reinforcement", "reinforcing bar", "steel bar"},
+         "Bars of reinforcement are not modelled: concrete is plain."},
+        {{"temperature", "heat", "fluid", "pore pressure", "permeability", "moisture", "shrinkage"},
+         "Scenes are mechanical: heat, moisture and fluids are not modelled."},
         {{"GPU", "CUDA"}, "Nothing runs on a graphics processor: particles run on threads (--threads)."},
         {{"Poisson ratio", "Poisson's ratio", "Poissons ratio"},
          "Links have no Poisson's ratio: that of a specimen follows from \"Shear ratio\" (CPM) or \"Stiffness ratio\" "

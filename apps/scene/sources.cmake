@@ -8,10 +8,7 @@ set(scenes_sources
   scene/continuum/mesh.cc
   scene/continuum/model.cc
   scene/coupled/bond.cc
-  scene/coupled/couplings.cc
   scene/coupled/handshakes.cc
-  scene/coupled/laboratory.cc
-  scene/coupled/model.cc
   scene/description.cc
   scene/entries/contact_figures.cc
   scene/entries/contact_law.cc
@@ -31,7 +28,6 @@ set(scenes_sources
   scene/entries/time.cc
   scene/homogenisation/model.cc
   scene/json_lines.cc
-  scene/kinds/kinds.cc
   scene/length_unit_entry.cc
   scene/link_driver.cc
   scene/link_law_named.cc
@@ -75,4 +71,12 @@ set(scenes_sources
   scene/usual_sizes.cc
   scene/entries/joints.cc
   scene/entries/mix.cc
+)
+
+set(scenes_solids_sources
+  scene/coupled/couplings.cc
+  scene/coupled/laboratory.cc
+  scene/coupled/model.cc
+  scene/kinds/kinds.cc
+  scene/parameter_file.cc
 )

@@ -21,10 +21,14 @@ namespace apps
       formula.DefineVar("t", &t);
       formula.DefineConst("pi", 3.14159265358979323846);
       formula.SetExpr(text);
+      const auto used = formula.GetUsedVar(); // asked once: the formula is read anew after each time
+      in_time         = used.count("t") > 0;
+      in_space        = used.count("x") + used.count("y") + used.count("z") > 0;
     }
 
     mu::Parser  formula;
     double      x = 0.1, y = 0.2, z = 0.3, t = 0.4;
+    bool        in_time, in_space; ///< what occurs in it
     std::string name;
   };
 
@@ -76,18 +80,9 @@ namespace apps
       }
   }
 
-  bool Expression::varies_in_time() const
-  {
-    return table != nullptr || (given() && parser->formula.GetUsedVar().count("t") > 0);
-  }
+  bool Expression::varies_in_time() const { return table != nullptr || (parser != nullptr && parser->in_time); }
 
-  bool Expression::varies_in_space() const
-  {
-    if (parser == nullptr)
-      return false;
-    const auto used = parser->formula.GetUsedVar();
-    return used.count("x") + used.count("y") + used.count("z") > 0;
-  }
+  bool Expression::varies_in_space() const { return parser != nullptr && parser->in_space; }
 
   double Expression::operator()(const double x, const double y, const double z, const double t) const
   {

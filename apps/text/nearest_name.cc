@@ -72,6 +72,16 @@ namespace apps
     return nearest == candidates.end() || !is_like(typed, *nearest) ? std::string() : *nearest;
   }
 
+  std::string nearest_spelling(const std::string &typed, const std::vector<std::string> &candidates)
+  {
+    const auto nearest =
+      std::min_element(candidates.begin(), candidates.end(), [&](const std::string &a, const std::string &b) {
+        return edit_distance(typed, a) < edit_distance(typed, b);
+      });
+    const std::size_t slips = std::max<std::size_t>(1, typed.size() / 4);
+    return nearest == candidates.end() || edit_distance(typed, *nearest) > slips ? std::string() : *nearest;
+  }
+
   std::string did_you_mean(const std::string &typed, const std::vector<std::string> &candidates)
   {
     const std::string name = nearest_name(typed, candidates);

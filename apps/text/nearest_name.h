@@ -17,6 +17,9 @@ namespace apps
    */
   std::string nearest_name(const std::string &typed, const std::vector<std::string> &candidates);
 
+  /** The candidate that is the same but for slips of the keyboard, one in four letters at most; empty if none is. For long lists. */
+  std::string nearest_spelling(const std::string &typed, const std::vector<std::string> &candidates);
+
   /** "Did you mean "X"?", or "" if none is like it. */
   std::string did_you_mean(const std::string &typed, const std::vector<std::string> &candidates);
 

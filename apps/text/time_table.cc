@@ -38,6 +38,14 @@ namespace apps
       return static_cast<std::size_t>(found - table.names.begin());
     }
 
+    std::size_t place_of_time(const postprocess::CsvTable &table)
+    {
+      const auto is_time = [](const std::string &name) { return same_name(name, "time") || same_name(name, "t"); };
+      const auto found   = std::find_if(table.names.begin(), table.names.end(), is_time);
+      return found == table.names.end() ? place_of_column(table, "time") :
+                                          static_cast<std::size_t>(found - table.names.begin());
+    }
+
     /** The requested one, or the only one that is not the time. */
     std::size_t
     place_of_quantity(const postprocess::CsvTable &table, const std::string &requested, const std::size_t time)
@@ -67,7 +75,7 @@ namespace apps
   TimeTable::TimeTable(const std::string &file, const std::string &column, const std::string &unit)
   {
     const postprocess::CsvTable table    = postprocess::read_csv_table(file);
-    const std::size_t           at       = place_of_column(table, "time");
+    const std::size_t           at       = place_of_time(table);
     const std::size_t           quantity = place_of_quantity(table, column, at);
     refuse_other_quantity(table, quantity, unit);
     time  = column_in(table, at, "s");

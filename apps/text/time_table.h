@@ -19,7 +19,7 @@ namespace apps
   /**
    * A quantity by time, as it was measured: straight between the rows of a table, before the first and after the last as there.
    *
-   * The file has a column `time` [s], ascending, and the quantity's; a unit in their names may have a prefix, `force [kN]`, `time [ms]`.
+   * The file has a column `time`, or `t` [s], ascending, and the quantity's; a unit in their names may have a prefix, `force [kN]`, `time [ms]`.
    */
   class TimeTable
   {

@@ -43,7 +43,12 @@ TEST_CASE("A wrong command line is refused with one message and status 2", "[app
   refused({"optimise", "x.prm"}, "\"optimise\" is not a command. Constants are sought by \"breccia calibrate\"");
   refused({"run"}, "breccia run: scene is required");
   refused({"run", "x.prm", "--threads", "0"}, "--threads: Value 0 not in range");
-  refused({"run", "x.prm", "--wrong"}, "not expected: --wrong");
+  refused({"run", "x.prm", "--xylophone"}, "breccia run: \"--xylophone\" is not an option.\n");
+  refused({"run", "x.prm", "--outptu=x"}, "breccia run: \"--outptu\" is not an option. Did you mean \"--output\"?");
+  refused({"bench", "ranks", "--cell", "3"},
+          "breccia bench ranks: \"--cell\" is not an option. Did you mean \"--cells\"?");
+  refused({"--verison"}, "breccia: \"--verison\" is not an option. Did you mean \"--version\"?");
+  refused({"run", "x.prm", "y.prm"}, "not expected: y.prm");
   refused({"link-test", "--law", "CPN", "--path", "x.csv"}, "law \"CPN\" is not known. Did you mean \"CPM\"?");
   refused({"describe", "Materail"}, "there is no section or entry \"Materail\". Did you mean \"Material\"?");
 }

@@ -165,14 +165,17 @@ TEST_CASE("describe says in a sentence what does not exist, and does not guess",
   for (const auto &[word, answer] :
        {std::pair{"MPI", "share their work among the processes of mpirun"}, std::pair{"Python", "the module that"},
         std::pair{"calibrate", "doc/tutorials/constants.md"}, std::pair{"CUDA", "graphics processor"},
-        std::pair{"fabric", "breccia measure"}})
+        std::pair{"fabric", "breccia measure"}, std::pair{"rebar", "not modelled"},
+        std::pair{"temperature", "not modelled"}})
     {
       const Outcome outcome = run(folder.path(), {"describe", word});
       CHECK(outcome.status == 2);
       CHECK_THAT(outcome.err, Contains(answer) && !Contains("Did you mean"));
     }
-  CHECK_THAT(run(folder.path(), {"describe", "Xylophone"}).err,
-             Contains("none speaks of it") && !Contains("Did you mean"));
+  for (const char *word : {"Xylophone", "rabar", "strain gauge"})
+    CHECK_THAT(run(folder.path(), {"describe", word}).err, Contains("none speaks of it") && !Contains("Did you mean"));
+  for (const auto &[typed, meant] : {std::pair{"fracure", "fracture"}, std::pair{"triaxal", "triaxial"}})
+    CHECK_THAT(run(folder.path(), {"describe", typed}).err, Contains("Did you mean \"" + std::string(meant) + "\"?"));
 }
 
 TEST_CASE("describe names the unit of an entry once", "[apps]")

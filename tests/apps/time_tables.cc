@@ -48,7 +48,7 @@ TEST_CASE("A table of time and velocity moves particles as the formula of the sa
   const ScratchFolder folder;
   folder.file("x.prm", moved_ball);
   // Up to 0.2 m/s in 20 ms, at rest from 30 ms on: 2 mm and 1 mm.
-  for (const char *table : {"time,velocity\n0,0\n0.02,0.2\n0.03,0\n", "time [ms],v [mm/s]\n0,0\n20,200\n30,0\n",
+  for (const char *table : {"time,velocity\n0,0\n0.02,0.2\n0.03,0\n", "t [ms],v [mm/s]\n0,0\n20,200\n30,0\n",
                             "time;displacement rate [m/s]\n0;0\n0.02;0.2\n0.03;0\n"})
     {
       folder.file("way.csv", table);

@@ -4,6 +4,7 @@
 #define CATCH_CONFIG_EXTERNAL_INTERFACES
 #include <catch2/catch.hpp>
 
+#include <cstdlib>
 #include <memory>
 
 namespace
@@ -19,6 +20,8 @@ namespace
       static char *words[] = {name, nullptr};
       int          count   = 1;
       char       **argv    = words;
+      if (!std::getenv("OMPI_COMM_WORLD_SIZE"))
+        ::setenv("OMPI_MCA_ess_singleton_isolated", "1", 0); // no daemon to launch others by
       session              = std::make_unique<dealii::Utilities::MPI::MPI_InitFinalize>(count, argv, 1);
     }
 

@@ -88,7 +88,7 @@ namespace apps
 
   namespace
   {
-    constexpr double near = 0.5; ///< past the transfer, over its strain
+    constexpr double near_after = 0.5; ///< past the transfer, over its strain
   }
 
   double near_reaches(const ContinuationCurve &curve)
@@ -96,7 +96,7 @@ namespace apps
     double furthest = 0;
     for (const double x : curve.horizontal)
       furthest = std::max(furthest, std::abs(x));
-    return 1 + std::min(near, furthest / std::abs(curve.offset));
+    return 1 + std::min(near_after, furthest / std::abs(curve.offset));
   }
 
   ContinuationCurve near_the_transfer(ContinuationCurve curve)

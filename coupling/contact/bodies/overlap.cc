@@ -69,12 +69,38 @@ namespace coupling::bodies
       void add(const Vector3d &x) { corner[count++] = x; }
     };
 
+    /** Corner of a simplex that is the k-th of a side. */
+    int corner_of_side(const Simplex &s, const int side, const int k)
+    {
+      return s.corners == 4 ? side_of_tetrahedron[side][k] : side_of_triangle[side][k];
+    }
+
     Polygon side_polygon(const Simplex &s, const int side)
     {
       Polygon polygon;
       for (int k = 0; k + 1 < s.corners; ++k)
-        polygon.add(s.corner[s.corners == 4 ? side_of_tetrahedron[side][k] : side_of_triangle[side][k]]);
+        polygon.add(s.corner[corner_of_side(s, side, k)]);
       return polygon;
+    }
+
+    /** How far the corners of a simplex lie above the planes of another: by plane, then corner. */
+    using CornerHeights = std::array<std::array<double, 4>, 4>;
+
+    /** @return false where all lie above one of them: the two are apart */
+    bool find_heights(const Simplex &simplex, const Planes &other, CornerHeights &heights)
+    {
+      for (int k = 0; k < other.count; ++k)
+        {
+          bool all_above = true;
+          for (int c = 0; c < simplex.corners; ++c)
+            {
+              heights[k][c] = other.side[k].above(simplex.corner[c]);
+              all_above     = all_above && heights[k][c] >= 0;
+            }
+          if (all_above)
+            return false;
+        }
+      return true;
     }
 
     /**
@@ -102,20 +128,43 @@ namespace coupling::bodies
       Heights(const Polygon &polygon, const Plane &plane)
       {
         for (int k = 0; k < polygon.count; ++k)
-          {
-            of[k]    = plane.above(polygon.corner[k]);
-            most     = std::max(most, of[k]);
-            all      = all && of[k] > 0;
-            in_plane = in_plane && !(std::fabs(of[k]) > plane.tolerance);
-          }
+          add(k, plane.above(polygon.corner[k]), plane.tolerance);
+      }
+
+      /** Of a whole side, where they are known. */
+      Heights(const Simplex &simplex, const int side, const std::array<double, 4> &known, const Plane &plane)
+      {
+        for (int k = 0; k + 1 < simplex.corners; ++k)
+          add(k, known[corner_of_side(simplex, side, k)], plane.tolerance);
+      }
+
+    private:
+      void add(const int k, const double above, const double tolerance)
+      {
+        of[k]    = above;
+        most     = std::max(most, above);
+        all      = all && above > 0;
+        in_plane = in_plane && !(std::fabs(above) > tolerance);
       }
     };
 
-    /** The part below a plane. */
+    /** A side of which nothing is left below some plane, whatever the others leave of it. */
+    bool is_beyond(const Simplex &simplex, const int side, const CornerHeights &heights, const Planes &other)
+    {
+      for (int k = 0; k < other.count; ++k)
+        {
+          bool above = true;
+          for (int c = 0; c < simplex.corners && above; ++c)
+            above = c == side || heights[k][c] > other.side[k].tolerance;
+          if (above)
+            return true;
+        }
+      return false;
+    }
+
+    /** The part below a plane that some of it is above. */
     void cut(Polygon &polygon, const Heights &above)
     {
-      if (!(above.most > 0))
-        return;
       if (above.all)
         {
           polygon.count = 0;
@@ -163,6 +212,7 @@ namespace coupling::bodies
 
     /** The sides of one simplex, cut by the other. */
     void cut_sides(const Simplex             &simplex,
+                   const CornerHeights       &heights,
                    const Planes              &other,
                    const Planes              &own,
                    const bool                 second,
@@ -170,33 +220,26 @@ namespace coupling::bodies
     {
       for (int side = 0; side < simplex.corners; ++side)
         {
+          if (is_beyond(simplex, side, heights, other))
+            continue;
           Polygon polygon = side_polygon(simplex, side);
+          bool    whole   = true;
           SideOf  of{second ? 1 : 0, side};
           for (int k = 0; k < other.count && polygon.count > 0; ++k)
             {
               const Plane  &plane = other.side[k];
-              const Heights above(polygon, plane);
+              const Heights above = whole ? Heights(simplex, side, heights[k], plane) : Heights(polygon, plane);
               if (above.in_plane && plane.normal.dot(own.side[side].normal) > 0)
                 of.twice = second;
-              else
-                cut(polygon, above);
+              else if (above.most > 0)
+                {
+                  cut(polygon, above);
+                  whole = false;
+                }
             }
           if (polygon.count >= simplex.corners - 1)
             add_pieces(polygon, of, pieces);
         }
-    }
-
-    bool apart(const Simplex &simplex, const Planes &other)
-    {
-      for (int k = 0; k < other.count; ++k)
-        {
-          bool all_above = true;
-          for (int c = 0; c < simplex.corners && all_above; ++c)
-            all_above = other.side[k].above(simplex.corner[c]) >= 0;
-          if (all_above)
-            return true;
-        }
-      return false;
     }
 
     Eigen::AlignedBox3d around(const std::vector<OverlapPiece> &pieces, const int corners)
@@ -254,14 +297,15 @@ namespace coupling::bodies
   {
     found.volume = 0;
     found.pieces.clear();
-    const Planes of_first = planes_of(first);
-    if (apart(second, of_first))
+    CornerHeights of_corners_of_first, of_corners_of_second;
+    const Planes  of_first = planes_of(first);
+    if (!find_heights(second, of_first, of_corners_of_second))
       return;
     const Planes of_second = planes_of(second);
-    if (apart(first, of_second))
+    if (!find_heights(first, of_second, of_corners_of_first))
       return;
-    cut_sides(first, of_second, of_first, false, found.pieces);
-    cut_sides(second, of_first, of_second, true, found.pieces);
+    cut_sides(first, of_corners_of_first, of_second, of_first, false, found.pieces);
+    cut_sides(second, of_corners_of_second, of_first, of_second, true, found.pieces);
     if (!found.pieces.empty())
       measure(found, first.corners == 3);
   }
