@@ -26,6 +26,15 @@ namespace apps
     return all;
   }
 
+  std::vector<std::int32_t> LinkClasses::of_links(const dem::LinkOutput &links) const
+  {
+    std::vector<std::int32_t> all;
+    if (!names.empty())
+      for (const std::int32_t pair : links.pair)
+        all.push_back(static_cast<std::int32_t>(of_pair.at(static_cast<std::size_t>(pair))));
+    return all;
+  }
+
   double *LinkClasses::row_of(base::Column &figures, const std::int32_t pair) const
   {
     return &figures[figures_of_one * of_pair.at(static_cast<std::size_t>(pair))];

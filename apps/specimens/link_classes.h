@@ -22,6 +22,8 @@ namespace apps
 
     /** Class of each pair of materials, as given. */
     std::vector<std::string> of_pairs() const;
+    /** Number of each link's class in json(); empty where there is one material. */
+    std::vector<std::int32_t> of_links(const dem::LinkOutput &links) const;
 
     static constexpr std::size_t figures_of_one = 5; ///< made, broken, sum of damage, energy [J], area [m^2]
     /** Of a specimen as it is: a row of figures for each class. Nothing where there is one material. */

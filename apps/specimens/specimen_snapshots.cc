@@ -14,6 +14,7 @@ namespace apps
   void
   SpecimenSnapshots::open(const std::filesystem::path &folder, const std::string &name, const ShownBesides &besides)
   {
+    classes = besides.classes;
     particles.emplace(folder, name + "_particles");
     links.emplace(folder, name + "_links");
     if (besides.walls)
@@ -34,10 +35,10 @@ namespace apps
     const double              time   = specimen.time();
     postprocess::write_vtk_particles(particles->next(), state, time);
     particles->add(time);
+    std::vector<dem::LinkImage> images;
     if (specimen.parameters().physics.periodic)
-      postprocess::write_vtk_links(links->next(), joined, state, time, dem::link_images(specimen, joined, state));
-    else
-      postprocess::write_vtk_links(links->next(), joined, state, time);
+      images = dem::link_images(specimen, joined, state);
+    postprocess::write_vtk_links(links->next(), joined, state, time, images, classes.of_links(joined));
     links->add(time);
     if (walls)
       {

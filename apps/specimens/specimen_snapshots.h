@@ -1,6 +1,7 @@
 #pragma once
 
 #include "apps/results/run_state.h"
+#include "apps/specimens/link_classes.h"
 #include "dem/specimen/observation.h"
 #include "postprocess/vtk/pvd.h"
 
@@ -13,7 +14,8 @@ namespace apps
   /** What snapshots show besides particles and links. */
   struct ShownBesides
   {
-    bool walls = false, breaks = false;
+    bool        walls = false, breaks = false;
+    LinkClasses classes = {}; ///< of links, where there are several
   };
 
   /** Snapshots of a specimen for ParaView: NAME_particles.pvd, NAME_links.pvd and, where they are requested, NAME_walls.pvd and NAME_breaks.pvd with their files. None until they are opened. */
@@ -29,6 +31,7 @@ namespace apps
     void visit_state(RunState &state);
 
   private:
+    LinkClasses                               classes;
     std::optional<postprocess::PvdCollection> particles, links, walls, breaks;
   };
 } // namespace apps

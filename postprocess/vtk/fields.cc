@@ -12,7 +12,7 @@ namespace postprocess
     constexpr Field::Of points = Field::Of::points, cells = Field::Of::cells;
 
     constexpr const char *several = "several materials", *periodic = "periodic cells",
-                         *glued = "particles glued to surfaces";
+                         *glued = "particles glued to surfaces", *classed = "several materials, or joints";
 
     FieldFile particle_fields()
     {
@@ -58,6 +58,10 @@ namespace postprocess
          {"broken", "", 1, cells, "1: the link was deleted", ""},
          {"material_pair", "", 1, cells, "pair of materials that the link joins (0-0: 0, 1-0: 1, 1-1: 2, 2-0: 3, ...)",
           several},
+         {"class", "", 1, cells,
+          "number of the link's class in `link_classes` of the summary, from 0 (of a mix 0: mortar, 1: interface, 2: "
+          "aggregate); -1: to a surface",
+          classed},
          {"surface", "", 1, cells, "number of the wall or coupling that the link leads to, from 0; -1: to a particle",
           glued},
          {"to_image", "", 1, cells, "1: the link leads to a periodic image of its second particle", periodic}}};

@@ -14,9 +14,13 @@ namespace postprocess
 
   namespace
   {
-    using Images = std::vector<dem::LinkImage>;
+    using Images  = std::vector<dem::LinkImage>;
+    using Classes = std::vector<std::int32_t>;
 
-    void check_columns(const dem::LinkOutput &links, const dem::ParticleOutput &particles, const Images &images)
+    void check_columns(const dem::LinkOutput     &links,
+                       const dem::ParticleOutput &particles,
+                       const Images              &images,
+                       const Classes             &classes)
     {
       const std::size_t n = links.ends.size();
       check_length("write_vtk_links", "kind", links.kind.size(), n);
@@ -30,6 +34,8 @@ namespace postprocess
         check_length("write_vtk_links", "pair", links.pair.size(), n);
       if (!images.empty())
         check_length("write_vtk_links", "images", images.size(), n);
+      if (!classes.empty())
+        check_length("write_vtk_links", "classes", classes.size(), n);
       check_length("write_vtk_links", "radius of particles", particles.radius.size(), particles.position.size());
       check_length("write_vtk_links", "displacement of particles", particles.displacement.size(),
                    particles.position.size());
@@ -123,9 +129,10 @@ namespace postprocess
                        const dem::LinkOutput       &links,
                        const dem::ParticleOutput   &particles,
                        const double                 time,
-                       const Images                &images)
+                       const Images                &images,
+                       const Classes               &classes)
   {
-    check_columns(links, particles, images);
+    check_columns(links, particles, images, classes);
 
     const Points        points(links, particles, images);
     vtkNew<vtkPolyData> data;
@@ -150,6 +157,8 @@ namespace postprocess
       values.add("surface", joined(std::vector<std::int32_t>(links.kind.size(), -1), glue.surface));
     if (!links.pair.empty())
       values.add("material_pair", joined(links.pair, std::vector<std::int32_t>(more, -1)));
+    if (!classes.empty())
+      values.add("class", joined(classes, Classes(more, -1)));
     if (!images.empty())
       values.add("to_image", joined(image_flags(images), std::vector<std::int32_t>(more, 0)));
     for (std::size_t c = 0; c < links.quantities.size(); ++c)

@@ -2,7 +2,9 @@
 
 #include "dem/observation/link_images.h"
 
+#include <cstdint>
 #include <filesystem>
+#include <vector>
 
 namespace postprocess
 {
@@ -14,11 +16,13 @@ namespace postprocess
    * all, then the images.
    *
    * @param images that links lead to; empty: nothing is periodic
+   * @param classes number of each link's class; empty: there are none
    * @throws std::invalid_argument if columns differ in length or a link ends at no particle; OutputError.
    */
   void write_vtk_links(const std::filesystem::path       &path,
                        const dem::LinkOutput             &links,
                        const dem::ParticleOutput         &particles,
                        double                             time,
-                       const std::vector<dem::LinkImage> &images = {});
+                       const std::vector<dem::LinkImage> &images  = {},
+                       const std::vector<std::int32_t>   &classes = {});
 } // namespace postprocess

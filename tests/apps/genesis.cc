@@ -280,6 +280,8 @@ TEST_CASE("A vessel too small for its sizes is refused with the smallest that wo
   const auto found = outcome_of(folder, "check", "mortar.prm", with({of + "Size=0.01405, 0.01405, 0"}));
   CHECK(found.status == 0);
   CHECK_THAT(found.out, Contains("sizes        0.008 m: 1, 0.3 of the solid for 0.25"));
+  // That, and 160 of 1 mm, in the vessel.
+  CHECK_THAT(found.out, Contains("porosity     0.1088 with so many whole particles, for 0.15"));
   is_refused(folder, "mortar.prm", with({of + "Size=0.01403, 0.01403, 0"}), "smallest vessel");
   CHECK(
     outcome_of(folder, "check", "mortar.prm", with({of + "Size=0.01, 0.01, 0", of + "Size tolerance=0.3"})).status ==

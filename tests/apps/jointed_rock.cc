@@ -1,11 +1,17 @@
 // Joints of scenes: materials of their own, and kinds that have them.
+#include "postprocess/files/csv_table.h"
 #include "tests/apps/program.h"
+#include "tests/apps/scene_runs.h"
 #include "tests/apps/scenes.h"
 #include "tests/apps/scratch_folder.h"
+#include "tests/places.h"
 
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -115,4 +121,59 @@ TEST_CASE("a scene in equilibrium says what its joints cut, and a periodic cell 
   const Outcome cell = run(folder.path(), {"check", "x.prm", "-s", "Specimen/Body=cell"});
   CHECK(cell.status == 2);
   CHECK_THAT(cell.err, Contains("Joints"));
+}
+
+TEST_CASE(
+  "The block of rock on an inclined joint slides as the closed form says, and stays below the angle of friction",
+  "[apps]")
+{
+  const ScratchFolder folder;
+  const std::string   scene  = places::sources() + "/apps/scenes/sliding_block.prm",
+                    friction = "Specimen/Joints/fault/smooth-joint/Friction coefficient=";
+  const auto   sliding       = results_of(folder, scene, {"Output/Snapshots=0"}).series;
+  const auto  &time = sliding.column("time"), &way = sliding.column("way"), &down = sliding.column("down");
+  const double dip = M_PI / 6, gain = 9.81 * (std::sin(dip) - 0.3 * std::cos(dip));
+  for (std::size_t row = sliding.rows() / 2; row < sliding.rows(); ++row)
+    {
+      CHECK(way[row] == Approx(0.5 * gain * time[row] * time[row]).epsilon(2e-4));
+      CHECK(-down[row] == Approx(way[row] * std::sin(dip)).epsilon(2e-4)); // along the joint
+    }
+  // To the normal of the joint it swings, and friction with it.
+  CHECK(sliding.column("speed").back() == Approx(gain * time.back()).epsilon(2e-3));
+  CHECK(way.back() == Approx(0.471e-3).epsilon(2e-3)); // as on its page
+
+  std::filesystem::remove_all(folder / "results");
+  const auto staying = results_of(folder, scene, {"Output/Snapshots=0", friction + "0.6", "Time/Damping=0.5"}).series;
+  CHECK(*std::max_element(staying.column("way").begin(), staying.column("way").end()) < 1e-7);
+}
+
+TEST_CASE(
+  "The shipped column is as strong as the study of its joint's angle says, and without weak rock as the closed form",
+  "[apps][slow]")
+{
+  const std::string scenes = places::sources() + "/apps/scenes/", joint = "Joint materials/healed/smooth-joint/";
+  const auto        table    = postprocess::read_csv_table(scenes + "tables/joint_angles.csv", false);
+  const auto        strength = [&](const std::size_t row) {
+    const ScratchFolder folder;
+    const auto          entry = [&](const std::string &name, const char *column) {
+      return name + "=" + std::to_string(table.column(column).at(row));
+    };
+    return results_of(folder, scenes + "jointed_column.prm",
+                             {"Output/Points per snapshot=0", entry("Specimen/Joints/fault/Dip", "dip"),
+                       entry("Material/flat-joint/Tensile strength", "tension"),
+                       entry("Material/flat-joint/Cohesion", "cohesion"), entry(joint + "Normal stiffness", "normal"),
+                       entry(joint + "Shear stiffness", "shear"), entry("Loading/Compression/Strain step", "step")},
+                             {"test", "control"})
+      .summary["tests"][0]["strength"]["value"]
+      .get<double>();
+  };
+  for (const auto &[row, of_page] : {std::pair<std::size_t, double>{5, 4.91e6}, {9, 7.67e6}, {11, 6.03e6}})
+    {
+      const double dip         = table.column("dip").at(row) * M_PI / 180,
+                   closed_form = 2 * 2e6 / ((1 - 0.4 / std::tan(dip)) * std::sin(2 * dip)), found = strength(row);
+      INFO("row " << row << ": " << found << " for " << closed_form);
+      CHECK(found == Approx(of_page).epsilon(2e-3));
+      if (row >= 7) // of the joint alone
+        CHECK(found == Approx(closed_form).epsilon(0.03));
+    }
 }

@@ -3,16 +3,19 @@
 #include "tests/apps/continuum_scenes.h"
 #include "tests/apps/scene_runs.h"
 #include "tests/apps/scenes.h"
+#include "tests/apps/structure_runs.h"
 #include "tests/apps/uneven_lattice.h"
 #include "tests/places.h"
 
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
+#include <csignal>
 #include <filesystem>
 #include <regex>
 #include <sstream>
 #include <string>
+#include <vector>
 
 using namespace apps_tests;
 using Catch::Contains;
@@ -126,6 +129,25 @@ TEST_CASE("Mix: structures and particles report what was requested and reached, 
       CHECK(std::filesystem::exists(folder / "results/grading.png"));
       std::filesystem::remove_all(folder / "results");
     }
+}
+
+TEST_CASE("Mix: an interrupted or killed structure of concrete goes on to the same bits",
+          "[apps][mesoscale][structure][volume][slow][S13]")
+{
+  const ScratchFolder            folder;
+  const std::vector<std::string> words = {"run", places::sources() + "/apps/scenes/size_effect_plane.prm",
+                                          "-s",  "Output/Checkpoint interval=0.01",
+                                          "-s",  "Output/Points per snapshot=5",
+                                          "-s",  "Path/Stop fraction=0.8"};
+  goes_on_to_the_same_bits(folder, {words, {"solid/solid_000002.vtu", "checkpoint.h5"}, kept_of_structure},
+                           {SIGINT, SIGKILL});
+  const auto summary = [&](const std::string &results) {
+    return nlohmann::json::parse(content_of(folder / results / "summary.json"));
+  };
+  const auto classes = summary("results")["link_classes"];
+  CHECK(classes == summary("whole")["link_classes"]);
+  REQUIRE(classes.size() == 3);
+  CHECK(classes[0]["damage_energy"] > 0); // it has cracked
 }
 
 TEST_CASE("Mix: a solid that would be as the particles of a mix are is refused with what to give instead",

@@ -193,4 +193,6 @@ TEST_CASE("Bodies that are none are refused with the place", "[apps][particles][
   refused("x.prm", {"Clumps/stone/Corners="}, "there is no shape to lie inside of");
   refused("x.prm", {"Groups/stone/Shape=sphere", "Groups/stone/Centre=0, 0, 0", "Groups/stone/Radius=1"},
           "there is a group of this name already");
+  refused("x.prm", {"Motion/stone/Velocity x=1"}, "Motion/stone: particle 1 is a pebble of a clump");
+  refused(tumbling, {"Motion/brick/Turn y=1"}, "Motion/brick: particle ");
 }

@@ -62,6 +62,36 @@ namespace
     model.mix    = aggregates();
     model.material.only.choose(mortar());
   }
+
+  /** Pulled between grips to a strain, and handed over. */
+  apps::ParticleEventSection strained(const std::filesystem::path &file, const double strain)
+  {
+    apps::ParticleEventSection event;
+    event.specimen = box_of(file);
+    event.mix      = aggregates();
+    event.material.only.choose(mortar());
+    event.strain_rate     = 1;
+    event.grips.thickness = 2.2e-3;
+    event.instants        = {{strain, {}}};
+    return event;
+  }
+
+  apps::ParticleOutcome handed_over(const apps::ParticleEventSection &event)
+  {
+    const auto straining = apps::make_particle_case(event, apps::event_packing(event), 0);
+    while (!straining->finished())
+      straining->advance();
+    return straining->outcome();
+  }
+
+  /** Number of the sphere that a place lies in by a depth at least, from 0; -1: in none. */
+  int sphere_around(const dem::Mesostructure &structure, const Eigen::Vector3d &place, const double depth)
+  {
+    for (std::size_t k = 0; k < structure.inclusions.size(); ++k)
+      if ((place - structure.inclusions[k].centre).norm() <= structure.inclusions[k].radius - depth)
+        return static_cast<int>(k);
+    return -1;
+  }
 } // namespace
 
 TEST_CASE("Mix: particles, structures, coupled and sequential scenes have the aggregates that a uniaxial one has",
@@ -108,19 +138,76 @@ TEST_CASE("Mix: particles, structures, coupled and sequential scenes have the ag
   fill(coupled.particles, file);
   is_expected(coupled.packing());
 
-  apps::ParticleEventSection event;
-  event.specimen = box_of(file);
-  event.mix      = aggregates();
-  event.material.only.choose(mortar());
-  event.strain_rate              = 1;
-  event.grips.thickness          = 2.2e-3;
-  event.instants                 = {{1e-5, {}}};
-  const dem::Packing handed_over = apps::event_packing(event);
+  const apps::ParticleEventSection event       = strained(file, 1e-5);
+  const dem::Packing               handed_over = apps::event_packing(event);
   is_expected(handed_over);
   const auto straining = apps::make_particle_case(event, handed_over, 0);
   while (!straining->finished())
     straining->advance();
   CHECK(straining->outcome().state.position.size() == expected.size());
+}
+
+TEST_CASE(
+  "Mix: links that are handed over are damaged in mortar and interface alone, by the spheres that their ends lie in",
+  "[library][mesoscale]")
+{
+  const apps_tests::ScratchFolder  folder;
+  const auto                       file    = folder.file("packing.txt", apps_tests::uneven_lattice(8));
+  const apps::ParticleEventSection event   = strained(file, 3e-4);
+  const dem::DiscreteState         state   = handed_over(event).state;
+  const dem::Mesostructure         spheres = event.mix.placed_in(event.specimen.box_edges(), false).structure;
+  const auto                       is_in   = [&](const std::size_t i) {
+    return sphere_around(spheres, state.reference[i], 0.5 * state.radius[i]);
+  };
+  std::size_t inside = 0, across = 0, between = 0;
+  double      of_interface = 0, of_mortar = 0;
+  for (std::size_t l = 0; l < state.damage.ends.size(); ++l)
+    {
+      const auto &[one, other] = state.damage.ends[l];
+      const int    first = is_in(one), second = is_in(other);
+      const double lost = state.damage.links[l].damage;
+      if (first == second && first >= 0)
+        {
+          CHECK(lost == 0); // five times as strong
+          ++inside;
+        }
+      else if (first != second)
+        {
+          of_interface += lost;
+          ++across;
+        }
+      else
+        {
+          of_mortar += lost;
+          ++between;
+        }
+    }
+  REQUIRE(inside > 50);
+  REQUIRE(across > 50);
+  REQUIRE(between > 50);
+  CHECK(of_mortar > 0);
+  CHECK(of_interface / static_cast<double>(across) > of_mortar / static_cast<double>(between));
+}
+
+TEST_CASE("Mix: a specimen that is handed over is stiffer than with its interfaces everywhere, and softer than without",
+          "[library][mesoscale]")
+{
+  const apps_tests::ScratchFolder folder;
+  const auto                      file    = folder.file("packing.txt", apps_tests::uneven_lattice(8));
+  const auto                      modulus = [&](const double aggregate, const double interface) {
+    apps::ParticleEventSection event = strained(file, 2e-5);
+    event.mix.aggregates.stiffness   = aggregate;
+    event.mix.interface.stiffness    = interface;
+    return handed_over(event).stress / 2e-5;
+  };
+  // The stiffness of a network grows with that of each of its links.
+  const double mortar_alone = modulus(1, 1), made = modulus(2.5, 0.5);
+  CHECK(made > 1.01 * modulus(1, 0.5));
+  CHECK(1.01 * made < modulus(2.5, 1));
+  CHECK(modulus(1, 0.5) < mortar_alone);
+  CHECK(modulus(2.5, 1) > mortar_alone);
+  CHECK(modulus(0.5, 0.5) > 0.5 * mortar_alone); // links of the mortar are whole
+  CHECK(made < 2.5 * mortar_alone);
 }
 
 TEST_CASE("Mix: particles beside the specimen are of its mortar", "[library][mesoscale]")

@@ -1,8 +1,10 @@
-// One mix in meshes and in peridynamic grids: what is aggregate there, and what bonds have which constants.
+// One mix in meshes and in peridynamic grids, beside particles: what is aggregate there, and what bonds have which constants.
 #include "apps/process/mpi_session.h"
 #include "apps/runs/continuum/mesh.h"
 #include "apps/runs/peridynamics/model.h"
+#include "apps/specimens/mixed_specimen.h"
 #include "base/errors.h"
+#include "dem/laws/cpm.h"
 #include "fem/mesh/mesh.h"
 #include "fem/mesh/regroup.h"
 
@@ -65,6 +67,43 @@ TEST_CASE("Mix: the part of a mesh that is aggregate tends to that of the mix", 
       CHECK_THAT(part_of(mesh, "aggregate"), WithinRel(expected, error));
       CHECK_THAT(part_of(mesh, "aggregate") + part_of(mesh, "mortar"), WithinRel(1.0, 1e-12));
     }
+}
+
+TEST_CASE("Mix: an element is of the sphere that its middle lies in, and a particle there is aggregate as well",
+          "[library][mesoscale]")
+{
+  apps::start_mpi();
+  const apps::MixSection mix     = round_ones(0.25, 6e-3, 12e-3);
+  const auto             spheres = mix.placed_in({0.04, 0.04, 0.04}, false).structure;
+  const auto             mesh    = apps::make_mesh<3>(block(20, mix), MPI_COMM_SELF);
+  dem::Packing           points; // in the middles of elements, as places without an extent
+  std::vector<bool>      stone;
+  for (const auto &cell : mesh.triangulation->active_cell_iterators())
+    {
+      const auto middle = cell->center();
+      points.centre.emplace_back(middle[0], middle[1], middle[2]);
+      points.radius.push_back(1e-12);
+      stone.push_back(cell->material_id() == mesh.materials.at("aggregate"));
+      const bool inside = std::any_of(spheres.inclusions.begin(), spheres.inclusions.end(), [&](const auto &sphere) {
+        return (points.centre.back() - sphere.centre).norm() <= sphere.radius;
+      });
+      REQUIRE(stone.back() == inside);
+    }
+  apps::SpecimenSection specimen;
+  specimen.source = apps::SpecimenSection::Source::file;
+  specimen.box    = {0.04, 0.04, 0.04};
+  dem::CpmParameters mortar;
+  mortar.normal_modulus       = 20e9;
+  mortar.limit_elastic_strain = 1e-4;
+  mortar.relative_ductility   = 30;
+  mortar.cohesion             = 3e6;
+  apps::MaterialSection material;
+  material.only.choose(mortar);
+  const apps::MixedSpecimen mixed{specimen, mix, material, 3};
+  mixed.check({});
+  mixed.number(points, "points");
+  for (std::size_t i = 0; i < points.size(); ++i)
+    REQUIRE((points.material[i] > 0) == stone[i]);
 }
 
 TEST_CASE("Mix: a plane mesh is a section through concrete", "[library][mesoscale]")

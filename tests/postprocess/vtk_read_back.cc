@@ -115,6 +115,15 @@ TEST_CASE("VTK files of several materials say of what particles and links are", 
       REQUIRE(open(folder / "p.vtp")->GetPointData()->GetArray(name)->GetTuple1(i) == i % 3);
   for (int l = 0; l < 49; ++l)
     REQUIRE(open(folder / "l.vtp")->GetCellData()->GetArray("material_pair")->GetTuple1(l) == l % 6);
+  REQUIRE(open(folder / "l.vtp")->GetCellData()->HasArray("class") == 0);
+  std::vector<std::int32_t> classes;
+  for (int l = 0; l < 49; ++l)
+    classes.push_back(l % 4);
+  write_vtk_links(folder / "l.vtp", links, particles, 0, {}, classes);
+  for (int l = 0; l < 49; ++l)
+    REQUIRE(open(folder / "l.vtp")->GetCellData()->GetArray("class")->GetTuple1(l) == l % 4);
+  classes.pop_back();
+  REQUIRE_THROWS_AS(write_vtk_links(folder / "l.vtp", links, particles, 0, {}, classes), std::invalid_argument);
   links.pair.pop_back();
   REQUIRE_THROWS_AS(write_vtk_links(folder / "l.vtp", links, particles, 0), std::invalid_argument);
 }

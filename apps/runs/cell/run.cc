@@ -66,7 +66,7 @@ namespace apps
     if (fresh)
       keep_packing(packing, folder);
     if (model.output.snapshots > 0)
-      snapshots.open(folder, "cell");
+      snapshots.open(folder, "cell", {false, false, LinkClasses(model.mixed().link_classes(packing.material_names))});
   }
 
   void CellRun::visit_state(RunState &state)

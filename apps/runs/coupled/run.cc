@@ -59,7 +59,7 @@ namespace apps
       media.write(folder / ParticleMedia::file_name);
     if (model.particles.output.snapshots == 0)
       return;
-    snapshots.open(folder, "particles", {true, model.particles.bonded()});
+    snapshots.open(folder, "particles", {true, model.particles.bonded(), body->particles().link_classes()});
     solids.emplace(folder, "solid", ".vtu");
   }
 

@@ -34,6 +34,18 @@ namespace apps
 
   namespace
   {
+    /** Whole particles of classes of sizes leave another porosity than the prescribed one. */
+    std::string porosity_line(const GenesisSection &genesis, const int dimension)
+    {
+      double solid = 0; // over the prescribed
+      for (const ClassInVessel &one : genesis.classes_in_vessel(dimension))
+        solid += one.part;
+      const double porosity = genesis.full_porosity();
+      return solid > 0 ? fmt::format("  porosity     {:.4f} with so many whole particles, for {:.4g}\n",
+                                     1 - solid * (1 - porosity), porosity) :
+                         "";
+    }
+
     /** Of particles that are still to grow: how many, and how long that may take. */
     std::string growth_forecast(const ParticlesModel &model)
     {
@@ -47,6 +59,7 @@ namespace apps
       for (const ClassInVessel &one : model.source.genesis.classes_in_vessel(model.physics.dimension))
         text += fmt::format("  sizes        {} m: {}, {:.3g} of the solid for {:g}\n", text_of(one.size), one.count,
                             one.part, one.size.fraction);
+      text += porosity_line(model.source.genesis, model.physics.dimension);
       const dem::Vessel vessel = model.source.genesis.vessel(model.physics.dimension);
       text += fmt::format("  vessel       {:g} x {:g}{} m\n", vessel.size[0], vessel.size[1],
                           vessel.dimension == 2 ? "" : fmt::format(" x {:g}", vessel.size[2]));

@@ -95,6 +95,18 @@ namespace apps
                                 motion.group, component_names[c], i + 1, first->second));
               }
     }
+
+    void refuse_pebbles(const dem::ObservedSpecimen    &body,
+                        const std::string              &group,
+                        const std::vector<std::size_t> &particles)
+    {
+      for (const std::size_t i : particles)
+        if (body.clumps().of(i))
+          throw base::InputError(
+            fmt::format("Motion/{}: particle {} is a pebble of a clump, which moves as a whole and "
+                        "cannot be held. Leave it free, or hold particles that are none.",
+                        group, i + 1));
+    }
   } // namespace
 
   PrescribedMotion::PrescribedMotion(dem::Specimen                 &body,
@@ -110,6 +122,7 @@ namespace apps
         const PrescribedFormulas &motion = motions[g];
         dem::Grip                 grip;
         grip.particles = groups.at(motion.group);
+        refuse_pebbles(body, motion.group, grip.particles);
         for (int c = 0; c < 6; ++c)
           {
             grip.prescribed[static_cast<std::size_t>(c)] =

@@ -209,7 +209,7 @@ namespace apps
     postprocess::write_vtk_particles(particles->next(), state, at);
     particles->add(at);
     const dem::LinkOutput joined = dem::links_of(loaded, path);
-    postprocess::write_vtk_links(links->next(), joined, state, at, images_of(joined, state));
+    postprocess::write_vtk_links(links->next(), joined, state, at, images_of(joined, state), classes.of_links(joined));
     links->add(at);
   }
 

@@ -101,7 +101,7 @@ namespace apps
 
   ContinuationCurve near_the_transfer(ContinuationCurve curve)
   {
-    const double      reach = near * std::abs(curve.offset);
+    const double      reach = near_after * std::abs(curve.offset);
     const std::size_t end   = static_cast<std::size_t>(
       std::find_if(curve.horizontal.begin(), curve.horizontal.end(), [&](double x) { return std::abs(x) > reach; }) -
       curve.horizontal.begin());

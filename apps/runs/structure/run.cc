@@ -114,7 +114,7 @@ namespace apps
     const dem::ParticleOutput state = structure().particle_output();
     const dem::LinkOutput     bonds = structure().link_output();
     postprocess::write_vtk_particles(particles->next(), state, at);
-    postprocess::write_vtk_links(links->next(), bonds, state, at);
+    postprocess::write_vtk_links(links->next(), bonds, state, at, {}, classes().of_links(bonds));
     if (solids)
       {
         structure().surrounding()->write(location, solids->size(), at, structure().way().motion());
@@ -142,6 +142,8 @@ namespace apps
     postprocess::write_pvd(location / "structure.pvd", parts);
   }
 
+  LinkClasses StructureRun::classes() const { return LinkClasses(model.mixed().link_classes(packing.material_names)); }
+
   std::string StructureRun::draw_crack(const std::filesystem::path &file) const
   {
     const dem::ParticleOutput state = structure().particle_output();
@@ -149,7 +151,7 @@ namespace apps
     slab.magnify   = magnification(state);
     slab.materials = packing.material_names;
     if (model.mix.given())
-      slab.classes = model.mixed().link_classes(packing.material_names);
+      slab.classes = classes().of_pairs();
     slab.axis = model.dimension == 2 ? 2 : 1;
     if (const StructureSolid *solid = structure().surrounding())
       slab.bodies = solid->outlines(structure().way().motion(), slab.magnify, slab.axis);

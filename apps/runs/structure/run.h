@@ -3,6 +3,7 @@
 #include "apps/results/run_request.h"
 #include "apps/results/run_result.h"
 #include "apps/runs/structure/promotion.h"
+#include "apps/specimens/link_classes.h"
 #include "postprocess/vtk/pvd.h"
 
 #include <filesystem>
@@ -52,6 +53,7 @@ namespace apps
     bool        snapshot_due() const;
     void        snapshot();
     void        list_together() const;
+    LinkClasses classes() const;
     std::string draw_crack(const std::filesystem::path &file) const;
 
     RunRequest                                request;

@@ -100,7 +100,7 @@ namespace apps
   void UniaxialLabTest::open(const std::filesystem::path &folder)
   {
     if (shown)
-      snapshots.open(folder, name);
+      snapshots.open(folder, name, {false, false, classes});
   }
 
   void UniaxialLabTest::advance()
