@@ -4,6 +4,7 @@
 #include "coupling/volume/bond_shares.h"
 #include "coupling/volume/gaps.h"
 #include "coupling/volume/overlapping_particles.h"
+#include "dem/statics/tangent_system.h"
 #include "fem/solid/point_search.h"
 
 #include <deal.II/dofs/dof_tools.h>
@@ -244,6 +245,24 @@ namespace coupling
     const Eigen::MatrixXd of_joints = dem::joints_of(loaded, motion).reshaped(3, n).topRows(dim);
     return body->displacement(of_joints.reshaped(), motion.loads[loaded.driven],
                               loaded.dead ? motion.loads[loaded.dead->parameter] : 0.0);
+  }
+
+  template <int dim>
+  bool StaticHandshake<dim>::is_positive() const
+  {
+    if (ends.empty() || !loaded.ties->is_led())
+      return true;
+    const std::size_t particles = loaded.network.particles();
+    std::vector<bool> moves(loaded.held.size(), false);
+    std::fill(moves.begin() + static_cast<std::ptrdiff_t>(particles), moves.end(), true); // joints
+    for (const auto &links : shared)
+      for (const std::size_t l : links)
+        moves[loaded.network.links[l].first] = moves[loaded.network.links[l].second] = true;
+    dem::LoadedNetwork around = loaded;
+    for (std::size_t i = 0; i < particles; ++i)
+      if (!moves[i])
+        around.held[i] = (1u << dem::motions) - 1;
+    return dem::TangentSystem(around).is_positive();
   }
 
   template <int dim>

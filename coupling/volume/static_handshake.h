@@ -43,6 +43,12 @@ namespace coupling
     /** Where the joints are [m]. */
     std::vector<Eigen::Vector3d> joint_places() const;
 
+    /**
+     * Whether every motion costs energy of nodes that bonds lead to within elements, and of the particles around them, all others at rest. What is subtracted
+     * there may be more than soft elements have. True where nothing is, and where ties are not led.
+     */
+    bool is_positive() const;
+
     /** Links with an end in an overlap, by handshake. */
     const std::vector<std::vector<std::size_t>> &shared_links() const { return shared; }
 

@@ -9,6 +9,7 @@
 #include "dem/statics/surrounded_system.h"
 #include "dem/statics/tangent_matrix.h"
 
+#include <Eigen/CholmodSupport>
 #include <Eigen/LU>
 
 #include <algorithm>
@@ -421,6 +422,17 @@ namespace dem
           forces(row, s.all[p]) = per_unit[row];
       }
     return forces.allFinite();
+  }
+
+  bool TangentSystem::is_positive()
+  {
+    Implementation &s = made();
+    if (s.count == 0)
+      return true;
+    s.prepare_matrix();
+    s.matrix->assemble(undamaged_stiffnesses(loaded));
+    const Eigen::CholmodSupernodalLLT<SurroundedSystem::Sparse> factor(s.around->whole(s.matrix->whole()));
+    return factor.info() == Eigen::Success;
   }
 
   void TangentSystem::visit_state(base::StateVisitor &visitor)

@@ -69,6 +69,12 @@ namespace dem
      */
     bool condense(const std::vector<base::Matrix6> &stiffness, base::Matrix6 &forces);
 
+    /**
+     * Whether every motion of the undamaged network costs energy, so that its equilibrium is stable. By a Cholesky factor, also where systems
+     * are iterated. @pre ties are led: without multipliers
+     */
+    bool is_positive();
+
     /** Where an iteration starts next; nothing for a factor. */
     void visit_state(base::StateVisitor &visitor);
 

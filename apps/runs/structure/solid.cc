@@ -85,6 +85,7 @@ namespace apps
       }
 
       std::vector<std::vector<std::size_t>> shared_links() const override { return both.shared_links(); }
+      bool                                  is_positive() const override { return both.is_positive(); }
       const std::vector<dem::Mechanism>    &swinging() const override { return hinges; }
 
       Eigen::Vector3d weight() const override

@@ -37,6 +37,8 @@ namespace apps
 
     /** Links with an end in the overlap of each handshake, in the scene's order. */
     virtual std::vector<std::vector<std::size_t>> shared_links() const = 0;
+    /** StaticHandshake::is_positive() */
+    virtual bool is_positive() const = 0;
     /** Particles whose weight is left out, as no equilibrium would bear it (dem::unload_hinges()). */
     virtual const std::vector<dem::Mechanism> &swinging() const = 0;
     virtual Eigen::Vector3d                    weight() const   = 0; ///< of the solid, as far as it counts [N]

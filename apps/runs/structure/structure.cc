@@ -35,6 +35,7 @@ namespace apps
     , path(network(), what.materials(parts.packing), parameters())
   {
     refuse_many_weightless();
+    refuse_soft_elements();
     if (network().dead && !parts.bears_weight)
       weight_path = std::make_unique<WeightPath>(network(), what.materials(parts.packing), parameters(),
                                                  !drives_by_force(what.continuum.loads));
@@ -120,6 +121,19 @@ namespace apps
     if (static_cast<double>(weightless().size()) > at_most * static_cast<double>(network().network.particles()))
       throw base::InputError("Gravity: " + dem::describe(weightless()) +
                              " Raise the interaction ratio, or take them out of the packing.");
+  }
+
+  void Structure::refuse_soft_elements() const
+  {
+    // Once elements have become particles, those that are left are as stiff as they were.
+    const bool at_start =
+      std::all_of(promoted_elements.begin(), promoted_elements.end(), [](auto n) { return n == 0; });
+    if (solid && at_start && !solid->is_positive())
+      throw base::InputError("Handshakes: elements are so much softer than the particles that with Method = "
+                             "constrained, which takes what bonds bear within "
+                             "elements off their stiffness, some motions would cost no energy. Give elements the "
+                             "stiffness of the particles (\"breccia "
+                             "homogenise\" has it), or set Method = multipliers.");
   }
 
   std::unique_ptr<StructureSolid> Structure::make_solid(const dem::Packing &packing, const ParticleMedia &media) const

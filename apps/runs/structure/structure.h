@@ -79,6 +79,7 @@ namespace apps
     dem::QuasiStaticParameters      parameters() const;
     dem::LoadedNetwork              particles_alone(const dem::Packing &packing);
     void                            refuse_many_weightless() const;
+    void                            refuse_soft_elements() const;
     std::unique_ptr<StructureSolid> make_solid(const dem::Packing &packing, const ParticleMedia &media) const;
 
     const StructureModel             &model;
