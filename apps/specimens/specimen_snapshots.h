@@ -1,5 +1,6 @@
 #pragma once
 
+#include "apps/models/output.h"
 #include "apps/results/run_state.h"
 #include "dem/specimen/observation.h"
 #include "postprocess/vtk/pvd.h"
@@ -7,6 +8,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace apps
 {
@@ -21,7 +23,10 @@ namespace apps
   {
   public:
     /** @throws postprocess::OutputError. */
-    void open(const std::filesystem::path &folder, const std::string &name, const ShownBesides &besides = {});
+    void open(const std::filesystem::path &folder,
+              const std::string           &name,
+              SnapshotPieces               pieces,
+              const ShownBesides          &besides = {});
     bool wanted() const { return particles.has_value(); }
     /** If wanted, by the rank that has opened them; all ranks call this. @throws postprocess::OutputError. */
     void take(const dem::ObservedSpecimen &specimen);
@@ -29,6 +34,12 @@ namespace apps
     void visit_state(RunState &state);
 
   private:
+    void take_whole(const dem::ObservedSpecimen &specimen);
+    void take_pieces(const dem::ObservedSpecimen &specimen);
+    /** What all ranks know of surfaces and breaks. */
+    void take_besides(const dem::ObservedSpecimen &specimen);
+
+    bool                                      in_pieces = false;
     std::optional<postprocess::PvdCollection> particles, links, walls, breaks;
   };
 } // namespace apps

@@ -215,8 +215,14 @@ TEST_CASE("arrays carry the units that are declared for them", "[postprocess]")
   particles.material            = {0, 1, 0, 1, 0};
   links.pair                    = {0, 1, 2, 1};
   links.glue                    = {{0}, {0}, {{1, 2, 3}}, {{0, 0, 0}}, {0}, {1}, {1}, {1}, {1}, {0}, {0}};
-  write_vtk_particles(folder / "p.vtp", particles, 0);
-  write_vtk_links(folder / "l.vtp", links, particles, 0, std::vector<dem::LinkImage>(4));
+  dem::RankOutput piece; // which has all that there can be
+  piece.particles = piece.points = particles;
+  piece.number = piece.number_of_point = {4, 3, 2, 1, 0};
+  piece.links                          = links;
+  piece.line                           = {0, 1, 2, 3, 4};
+  piece.several_materials = piece.glued = true;
+  write_vtk_particles(folder / "p.vtp", piece, 0);
+  write_vtk_links(folder / "l.vtp", piece, 0, std::vector<dem::LinkImage>(4));
   for (const char *kind : {"particles", "links"})
     {
       const auto       data = open(folder / (std::string(1, kind[0]) + ".vtp"));

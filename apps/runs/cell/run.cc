@@ -66,7 +66,7 @@ namespace apps
     if (fresh)
       keep_packing(packing, folder);
     if (model.output.snapshots > 0)
-      snapshots.open(folder, "cell");
+      snapshots.open(folder, "cell", model.output.pieces);
   }
 
   void CellRun::visit_state(RunState &state)

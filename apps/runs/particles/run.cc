@@ -90,7 +90,8 @@ namespace apps
   void ParticlesRun::open(const std::filesystem::path &folder)
   {
     if (model.output.snapshots > 0)
-      snapshots.open(folder, "particles", {!model.walls.walls.empty() || model.laboratory.given(), model.bonded()});
+      snapshots.open(folder, "particles", model.output.pieces,
+                     {!model.walls.walls.empty() || model.laboratory.given(), model.bonded()});
   }
 
   void ParticlesRun::keep_files(const std::filesystem::path &folder, const bool fresh)
