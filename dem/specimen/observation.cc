@@ -274,6 +274,6 @@ namespace dem
   LinkOutput ObservedSpecimen::links() const
   {
     self->gather();
-    return links_of(*self, false).links;
+    return links_of(*self, all_of(self->particles), false).links;
   }
 } // namespace dem

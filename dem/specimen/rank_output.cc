@@ -62,7 +62,7 @@ namespace dem
         keep(*column, rows);
     }
 
-    /** Those of links and of glue that begin at particles of a rank. */
+    /** Of what broke and is glued, too, that which begins at particles of a rank. */
     void keep_own(ShownLinks &all, const SpecimenCore &core, const ShownParticles &own)
     {
       const auto is_own = [&](const std::size_t number) {
@@ -137,7 +137,7 @@ namespace dem
     particles                 = particles_of(core, own, effects_of_links(core, own, true));
     number.assign(core.particles.number.begin() + static_cast<std::ptrdiff_t>(own.first),
                   core.particles.number.begin() + static_cast<std::ptrdiff_t>(own.last));
-    ShownLinks shown = links_of(core, true);
+    ShownLinks shown = links_of(core, own, true);
     keep_own(shown, core, own);
     links = std::move(shown.links);
     line  = std::move(shown.line);

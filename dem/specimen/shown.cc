@@ -163,17 +163,20 @@ namespace dem
         out.history[shown].push_back(0.0);
     }
 
-    /** @param before lines of links before these */
-    void append(ShownLinks       &out,
-                const Particles  &particles,
-                const LinkSet    &links,
-                const LinkLaw    &law,
-                const bool        in_parts,
-                const std::size_t before)
+    /** Those that begin at particles that are shown. @param before lines of links before these */
+    void append(ShownLinks           &out,
+                const Particles      &particles,
+                const ShownParticles &shown,
+                const LinkSet        &links,
+                const LinkLaw        &law,
+                const bool            in_parts,
+                const std::size_t     before)
     {
       LinkReader reader(particles, links, law);
       for (const LinkRange &lines : lines_to_read(links, in_parts))
         each_living(links, lines, [&](const std::size_t l) {
+          if (!shown.has(static_cast<std::size_t>(links.first[l])))
+            return;
           reader.read(l);
           if (law.waits() && reader.phase() == LinkPhase::apart)
             return;
@@ -183,15 +186,15 @@ namespace dem
     }
   } // namespace
 
-  ShownLinks links_of(const SpecimenCore &core, const bool in_parts)
+  ShownLinks links_of(const SpecimenCore &core, const ShownParticles &shown, const bool in_parts)
   {
     ShownLinks out;
     for (const LinkQuantity &quantity : core.bond_law->columns())
       if (quantity.shown && core.bond_law->bonds())
         out.links.quantities.push_back(quantity);
     out.links.history.resize(out.links.quantities.size());
-    append(out, core.particles, core.bonds, *core.bond_law, in_parts, 0);
-    append(out, core.particles, core.contacts, *core.contact_law, in_parts, core.bonds.count);
+    append(out, core.particles, shown, core.bonds, *core.bond_law, in_parts, 0);
+    append(out, core.particles, shown, core.contacts, *core.contact_law, in_parts, core.bonds.count);
     core.cracks.append(out.links, core.particles, core.bond_law->several());
     for (const SurfaceBonds &glue : core.surfaces.bonds())
       glue.show(out.links.glue, core.particles, core.surfaces.surfaces()[static_cast<std::size_t>(glue.surface())]);

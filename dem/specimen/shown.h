@@ -52,6 +52,6 @@ namespace dem
     std::vector<std::int64_t> line;
   };
 
-  /** @param in_parts read the links that this rank updates; of what broke or is glued always all */
-  ShownLinks links_of(const SpecimenCore &core, bool in_parts);
+  /** Those that begin at particles that are shown; of what broke or is glued all. @param in_parts read the links that this rank updates */
+  ShownLinks links_of(const SpecimenCore &core, const ShownParticles &shown, bool in_parts);
 } // namespace dem
