@@ -79,7 +79,7 @@ namespace apps
     /** For those that have failed, and for comparing, apart from what others still say to each other. */
     MPI_Comm failures = MPI_COMM_NULL, comparisons = MPI_COMM_NULL;
 
-    /** The first rank does something that the others do not. */
+    /** The first rank does something that the others do not, or each something of its own. */
     bool acts_alone = false;
 
     struct ActsAlone
@@ -176,7 +176,7 @@ namespace apps
   void meet(const char *what, const std::size_t size)
   {
     if (acts_alone && rank_count() > 1)
-      throw std::logic_error(std::string("ranks: the first says \"") + what + "\" alone, and the others wait for it");
+      throw std::logic_error(std::string("ranks: one says \"") + what + "\" alone, and the others wait for it");
     if (comparisons != MPI_COMM_NULL)
       compare(std::string(what) + ", " + std::to_string(size));
   }
@@ -189,11 +189,21 @@ namespace apps
     numbers.assign(all.begin(), all.end());
   }
 
-  void on_first_rank(const std::function<void()> &action)
+  void take_from_first_rank(std::string &text)
   {
-    meet("on the first rank");
-    std::pair<int, std::string> outcome{Failure::none, ""};
-    if (is_first_rank())
+    meet("take a text from the first rank");
+    if (rank_count() > 1)
+      text = dealii::Utilities::MPI::broadcast(MPI_COMM_WORLD, text);
+  }
+
+  namespace
+  {
+    /** How an action ended, and what it said. */
+    using Outcome = std::pair<int, std::string>;
+
+    /** Do something that meets no other rank. */
+    Outcome outcome_of(const std::function<void()> &action)
+    {
       try
         {
           const ActsAlone alone;
@@ -201,25 +211,50 @@ namespace apps
         }
       catch (const base::InputError &error)
         {
-          outcome = {Failure::input, error.what()};
+          return {Failure::input, error.what()};
         }
       catch (const postprocess::OutputError &error)
         {
-          outcome = {Failure::output, error.what()};
+          return {Failure::output, error.what()};
         }
       catch (const std::exception &error)
         {
-          outcome = {Failure::other, error.what()};
+          return {Failure::other, error.what()};
         }
-    if (rank_count() > 1)
-      outcome = {dealii::Utilities::MPI::broadcast(MPI_COMM_WORLD, outcome.first),
-                 dealii::Utilities::MPI::broadcast(MPI_COMM_WORLD, outcome.second)};
-    if (outcome.first == Failure::input)
-      throw base::InputError(outcome.second);
-    if (outcome.first == Failure::output)
-      throw postprocess::OutputError(outcome.second);
-    if (outcome.first == Failure::other)
-      throw std::runtime_error(outcome.second);
+      return {Failure::none, ""};
+    }
+
+    /** Let all ranks throw what one of them has caught. */
+    void throw_on_all(Outcome outcome, const unsigned int rank)
+    {
+      if (rank_count() > 1)
+        outcome = {dealii::Utilities::MPI::broadcast(MPI_COMM_WORLD, outcome.first, rank),
+                   dealii::Utilities::MPI::broadcast(MPI_COMM_WORLD, outcome.second, rank)};
+      if (outcome.first == Failure::input)
+        throw base::InputError(outcome.second);
+      if (outcome.first == Failure::output)
+        throw postprocess::OutputError(outcome.second);
+      if (outcome.first == Failure::other)
+        throw std::runtime_error(outcome.second);
+    }
+  } // namespace
+
+  void on_first_rank(const std::function<void()> &action)
+  {
+    meet("on the first rank");
+    throw_on_all(is_first_rank() ? outcome_of(action) : Outcome(Failure::none, ""), 0);
+  }
+
+  void on_each_rank(const std::function<void(std::size_t)> &action)
+  {
+    meet("on each rank");
+    const auto    rank    = session() ? dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) : 0;
+    const Outcome outcome = outcome_of([&] { action(rank); });
+    const auto    none    = static_cast<unsigned int>(rank_count());
+    const auto    failed  = outcome.first == Failure::none ? none : rank;
+    const auto    first   = rank_count() > 1 ? dealii::Utilities::MPI::min(failed, MPI_COMM_WORLD) : failed;
+    if (first < none)
+      throw_on_all(outcome, first);
   }
 
   bool interrupted_on_any_rank() { return on_any_rank(interrupted()); }

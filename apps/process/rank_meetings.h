@@ -4,6 +4,8 @@
 #include "base/flat_state.h"
 
 #include <cstddef>
+#include <functional>
+#include <string>
 
 namespace apps
 {
@@ -30,4 +32,13 @@ namespace apps
     base::FlatStateReader reader(state);
     thing.visit_state(reader);
   }
+
+  /** The same of a text. */
+  void take_from_first_rank(std::string &text);
+
+  /**
+   * Do something on every rank, given its number, that meets no other.
+   * @throws what it threw on the first of those where it did, as on_first_rank() does, on every rank
+   */
+  void on_each_rank(const std::function<void(std::size_t)> &action);
 } // namespace apps

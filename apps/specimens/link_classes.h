@@ -20,6 +20,7 @@ namespace apps
     /** @param of_pairs class of each pair of materials, in the order of dem::material_pair(); empty: there is one material */
     explicit LinkClasses(const std::vector<std::string> &of_pairs);
 
+    bool given() const { return !names.empty(); } ///< not where there is one material
     /** Class of each pair of materials, as given. */
     std::vector<std::string> of_pairs() const;
     /** Number of each link's class in json(); empty where there is one material. */

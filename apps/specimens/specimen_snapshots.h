@@ -1,5 +1,6 @@
 #pragma once
 
+#include "apps/models/output.h"
 #include "apps/results/run_state.h"
 #include "apps/specimens/link_classes.h"
 #include "dem/specimen/observation.h"
@@ -8,6 +9,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace apps
 {
@@ -23,7 +25,10 @@ namespace apps
   {
   public:
     /** @throws postprocess::OutputError. */
-    void open(const std::filesystem::path &folder, const std::string &name, const ShownBesides &besides = {});
+    void open(const std::filesystem::path &folder,
+              const std::string           &name,
+              SnapshotPieces               pieces,
+              const ShownBesides          &besides = {});
     bool wanted() const { return particles.has_value(); }
     /** If wanted, by the rank that has opened them; all ranks call this. @throws postprocess::OutputError. */
     void take(const dem::ObservedSpecimen &specimen);
@@ -31,6 +36,14 @@ namespace apps
     void visit_state(RunState &state);
 
   private:
+    void take_whole(const dem::ObservedSpecimen &specimen);
+    void take_pieces(const dem::ObservedSpecimen &specimen);
+    /** Which the rank that has opened them knows. */
+    LinkClasses classes_on_each_rank() const;
+    /** What all ranks know of surfaces and breaks. */
+    void take_besides(const dem::ObservedSpecimen &specimen);
+
+    bool                                      in_pieces = false;
     LinkClasses                               classes;
     std::optional<postprocess::PvdCollection> particles, links, walls, breaks;
   };

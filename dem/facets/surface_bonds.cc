@@ -321,7 +321,7 @@ namespace dem
             then += anchor[b].weight[c] * surface.mesh.vertex[v];
           }
         const bool whole  = links.is_alive(b) && !links.is_broken(b);
-        double     normal = 0, shear = 0, strain = 0, damage = 1;
+        double     normal = 0, shear = 0, strain = 0, damage = 1, area = 1;
         if (links.is_alive(b))
           {
             reader.read(b);
@@ -329,6 +329,7 @@ namespace dem
             normal               = view.force.dot(view.direction);
             shear                = (view.force - normal * view.direction).norm();
             strain               = view.strain;
+            area                 = links.area[b];
             damage               = whole ? reader.damage().stiffness : 1.0;
           }
         out.particle.push_back(static_cast<std::size_t>(particles.number[static_cast<std::size_t>(particle[b])]));
@@ -338,8 +339,8 @@ namespace dem
         out.torn.push_back(whole ? 0 : 1);
         out.normal_force.push_back(normal);
         out.shear_force.push_back(shear);
-        out.normal_stress.push_back(normal / links.area[b]);
-        out.shear_stress.push_back(shear / links.area[b]);
+        out.normal_stress.push_back(normal / area);
+        out.shear_stress.push_back(shear / area);
         out.normal_strain.push_back(strain);
         out.damage.push_back(damage);
       }

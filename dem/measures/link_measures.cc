@@ -153,19 +153,4 @@ namespace dem
       sum += account.released;
     return sum;
   }
-
-  void add_stress_moments(const Particles              &particles,
-                          const LinkSet                &links,
-                          const LinkRange              &lines,
-                          std::vector<Eigen::Matrix3d> &moments)
-  {
-    each_living(links, lines, [&](const std::size_t l) {
-      const LinkView    view = link_at(particles, links, l);
-      const std::size_t J = links.first[l], K = links.second[l];
-      const double      eccentric = particles.radius_of(J) - particles.radius_of(K);
-      const auto        moment    = view.direction * view.force.transpose();
-      moments[J] += 0.5 * (view.length + eccentric) * moment;
-      moments[K] += 0.5 * (view.length - eccentric) * moment; // both arm and force change sign
-    });
-  }
 } // namespace dem

@@ -144,11 +144,19 @@ namespace dem
   double released_in_place(const LinkSet &links);
 
   /**
- * Add the share of each living link among some lines to the particles' stress moments V_P sigma_P = sum (c - x_P) (x) f_on_P [N m], c the
- * contact point (Love-Weber; doc/theory/stress-and-fabric.md, 1). Particle order is that of `particles`.
-  */
-  void add_stress_moments(const Particles              &particles,
-                          const LinkSet                &links,
-                          const LinkRange              &lines,
-                          std::vector<Eigen::Matrix3d> &moments);
+   * Call use(particle, moment) for the share of each living link among some lines in the stress moments V_P sigma_P = sum (c - x_P) (x) f_on_P [N m]
+   * of both its ends, c the contact point (Love-Weber; doc/theory/stress-and-fabric.md, 1).
+   */
+  template <typename Use>
+  void each_stress_moment(const Particles &particles, const LinkSet &links, const LinkRange &lines, const Use &use)
+  {
+    each_living(links, lines, [&](const std::size_t l) {
+      const LinkView    view = link_at(particles, links, l);
+      const std::size_t J = links.first[l], K = links.second[l];
+      const double      eccentric = particles.radius_of(J) - particles.radius_of(K);
+      const auto        moment    = view.direction * view.force.transpose();
+      use(J, Eigen::Matrix3d(0.5 * (view.length + eccentric) * moment));
+      use(K, Eigen::Matrix3d(0.5 * (view.length - eccentric) * moment)); // both arm and force change sign
+    });
+  }
 } // namespace dem

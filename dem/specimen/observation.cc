@@ -3,6 +3,7 @@
 #include "dem/measures/link_measures.h"
 #include "dem/ranks/exact_sum.h"
 #include "dem/specimen/core.h"
+#include "dem/specimen/shown.h"
 
 #include <Eigen/LU>
 
@@ -191,8 +192,7 @@ namespace dem
   Eigen::Vector3d ObservedSpecimen::displacement(const std::size_t particle) const
   {
     self->gather_places();
-    const auto i = static_cast<std::size_t>(self->slot.at(particle));
-    return self->particles.position_of(i) - Eigen::Vector3d(&self->particles.reference[3 * i]);
+    return displacement_of(self->particles, static_cast<std::size_t>(self->slot.at(particle)));
   }
 
   double ObservedSpecimen::mean_damage() const
@@ -216,129 +216,22 @@ namespace dem
   ParticleKinematics ObservedSpecimen::kinematics() const
   {
     self->gather_particles();
-    const Particles   &p = self->particles;
-    const std::size_t  n = p.count;
-    ParticleKinematics out;
-    out.position.resize(n);
-    out.displacement.resize(n);
-    out.velocity.resize(n);
-    out.angular_velocity.resize(n);
-    out.radius.resize(n);
-    out.mass.resize(n);
-    out.held.assign(n, 0);
-    for (std::size_t grip = 0; grip < self->held.size(); ++grip)
-      for (const std::size_t i : self->held.grip(grip).particles)
-        out.held[i] = 1;
-    for (std::size_t i = 0; i < n; ++i)
-      {
-        const auto to            = static_cast<std::size_t>(p.number[i]);
-        out.position[to]         = p.position_of(i);
-        out.displacement[to]     = p.position_of(i) - Eigen::Vector3d(&p.reference[3 * i]);
-        out.velocity[to]         = Eigen::Vector3d(&p.velocity[record_size * i]) + p.cell.gradient() * p.position_of(i);
-        out.angular_velocity[to] = Eigen::Vector3d(&p.velocity[record_size * i + 3]);
-        out.radius[to]           = p.radius_of(i);
-        out.mass[to]             = self->mass_of(i);
-      }
-    return out;
+    return kinematics_of(*self, all_of(self->particles));
   }
 
   ParticleOutput ObservedSpecimen::particles() const
   {
-    ParticleOutput out;
-    static_cast<ParticleKinematics &>(out) = kinematics();
-    const Particles             &p         = self->particles;
-    const std::size_t            n         = p.count;
-    std::vector<double>          damage(n, 0.0);
-    std::vector<Eigen::Matrix3d> moments(n, Eigen::Matrix3d::Zero());
-    const bool                   in_parts = !self->has_all_links();
-    const auto                   lines_of = [in_parts](const LinkSet &links) {
-      return in_parts ? updated_lines(links) : std::vector<LinkRange>{all_lines(links)};
-    };
-    for (const LinkSet *links : {&self->bonds, &self->contacts})
-      for (const LinkRange &lines : lines_of(*links))
-        add_stress_moments(p, *links, lines, moments);
-    LinkReader reader(p, self->bonds, *self->bond_law);
-    for (const LinkRange &lines : lines_of(self->bonds))
-      each_living(self->bonds, lines, [&](const std::size_t l) {
-        if (self->bonds.is_broken(l))
-          return;
-        reader.read(l);
-        const double lost = reader.damage().stiffness;
-        damage[self->bonds.first[l]] += lost;
-        damage[self->bonds.second[l]] += lost;
-      });
+    self->gather_particles();
+    const ShownParticles all      = all_of(self->particles);
+    const bool           in_parts = !self->has_all_links();
+    LinkEffects          effects  = effects_of_links(*self, all, in_parts);
     if (in_parts) // else this process may read alone
       {
-        self->shared->gather_numbers(moments.data()->data(), 9);
-        self->shared->gather_numbers(damage.data(), 1);
+        self->shared->gather_numbers(effects.moments.data()->data(), 9);
+        self->shared->gather_numbers(effects.damage.data(), 1);
       }
-    for (const SurfaceContact &contact : self->surfaces.list())
-      moments[static_cast<std::size_t>(contact.particle)] +=
-        contact.distance * contact.direction * contact.force.transpose();
-    for (const SurfaceBonds &glue : self->surfaces.bonds())
-      for (std::size_t bond = 0; bond < glue.count(); ++bond)
-        if (glue.is_alive(bond))
-          moments[static_cast<std::size_t>(glue.particle_of(bond))] += glue.branch(bond) * glue.force(bond).transpose();
-
-    out.damage.resize(n);
-    out.broken_links.resize(n);
-    out.volume.resize(n);
-    out.stress.resize(n);
-    out.material.resize(p.material.size());
-    for (std::size_t i = 0; i < n; ++i)
-      {
-        const std::size_t     to     = static_cast<std::size_t>(p.number[i]);
-        const double          space  = self->space_per_solid * p.cell.deformation().determinant(); // 1 without a cell
-        const double          volume = space * self->shape.volume(p.radius_of(i));
-        const Eigen::Matrix3d moment = moments[i] / volume;
-        out.damage[to]               = p.made_links[i] > 0 ? (damage[i] + p.broken_links[i]) / p.made_links[i] : 0.0;
-        out.broken_links[to]         = p.broken_links[i];
-        if (!p.material.empty())
-          out.material[to] = p.material[i];
-        out.volume[to] = volume;
-        out.stress[to] = 0.5 * (moment + moment.transpose());
-      }
-    return out;
+    return particles_of(*self, all, std::move(effects));
   }
-
-  namespace
-  {
-    void append(LinkOutput &out, const Particles &particles, const LinkSet &links, const LinkLaw &law)
-    {
-      LinkReader reader(particles, links, law);
-      for (std::size_t l = 0; l < links.count; ++l)
-        {
-          if (!links.is_alive(l))
-            continue;
-          reader.read(l);
-          if (law.waits() && reader.phase() == LinkPhase::apart)
-            continue;
-          if (links.several_pairs)
-            out.pair.push_back(links.pair[l]);
-          const LinkView &view     = reader.view();
-          const bool      cohesive = law.bonds() && !links.is_broken(l);
-          const double normal = view.force.dot(view.direction), shear = (view.force - normal * view.direction).norm();
-          out.ends.push_back({static_cast<std::size_t>(particles.number[links.first[l]]),
-                              static_cast<std::size_t>(particles.number[links.second[l]])});
-          out.kind.push_back(cohesive ? LinkOutput::cohesive : LinkOutput::contact);
-          out.normal_force.push_back(normal);
-          out.shear_force.push_back(shear);
-          out.normal_stress.push_back(normal / links.area[l]);
-          out.shear_stress.push_back(shear / links.area[l]);
-          out.normal_strain.push_back(view.strain);
-          out.damage.push_back(reader.damage().stiffness);
-          out.strength_damage.push_back(reader.damage().strength);
-          out.dissipated.push_back(cohesive ? reader.damage_dissipation() : 0.0);
-          out.load.push_back(load_at(particles, links, l));
-          std::size_t shown = 0;
-          for (std::size_t c = 0; c < links.quantities.size(); ++c)
-            if (law.bonds() && links.quantities[c].shown)
-              out.history[shown++].push_back(links.history[c][l]);
-          for (; shown < out.history.size(); ++shown)
-            out.history[shown].push_back(0.0);
-        }
-    }
-  } // namespace
 
   namespace
   {
@@ -381,16 +274,6 @@ namespace dem
   LinkOutput ObservedSpecimen::links() const
   {
     self->gather();
-    LinkOutput out;
-    for (const LinkQuantity &quantity : self->bond_law->columns())
-      if (quantity.shown && self->bond_law->bonds())
-        out.quantities.push_back(quantity);
-    out.history.resize(out.quantities.size());
-    append(out, self->particles, self->bonds, *self->bond_law);
-    append(out, self->particles, self->contacts, *self->contact_law);
-    self->cracks.append(out, self->particles, self->bond_law->several());
-    for (const SurfaceBonds &glue : self->surfaces.bonds())
-      glue.show(out.glue, self->particles, self->surfaces.surfaces()[static_cast<std::size_t>(glue.surface())]);
-    return out;
+    return links_of(*self, all_of(self->particles), false).links;
   }
 } // namespace dem

@@ -150,9 +150,13 @@ namespace dem
           std::vector<RankMessage> from_here, at_first;
           const std::size_t        part = std::min(at_once, begin[r + 1] - at);
           if (rank() == r)
-            std::memcpy(
-              from_here.emplace_back(RankMessage{0, std::vector<double>(part / sizeof(double))}).numbers.data(),
-              array + at, part);
+            {
+              std::memcpy(
+                from_here.emplace_back(RankMessage{0, std::vector<double>(part / sizeof(double))}).numbers.data(),
+                array + at, part);
+              bytes += static_cast<std::int64_t>(part);
+              ++messages;
+            }
           if (rank() == 0)
             at_first.push_back({r, std::vector<double>(part / sizeof(double))});
           ranks->exchange(from_here, at_first);

@@ -12,7 +12,8 @@ namespace postprocess
     constexpr Field::Of points = Field::Of::points, cells = Field::Of::cells;
 
     constexpr const char *several = "several materials", *periodic = "periodic cells",
-                         *glued = "particles glued to surfaces", *classed = "several materials, or joints";
+                         *glued = "particles glued to surfaces", *pieces = "snapshots in a piece per rank",
+                         *classed = "several materials, or joints";
 
     FieldFile particle_fields()
     {
@@ -64,7 +65,8 @@ namespace postprocess
           classed},
          {"surface", "", 1, cells, "number of the wall or coupling that the link leads to, from 0; -1: to a particle",
           glued},
-         {"to_image", "", 1, cells, "1: the link leads to a periodic image of its second particle", periodic}}};
+         {"to_image", "", 1, cells, "1: the link leads to a periodic image of its second particle", periodic},
+         {"line", "", 1, cells, "ascends over all pieces in the order that links have in one file", pieces}}};
     }
 
     FieldFile wall_fields()

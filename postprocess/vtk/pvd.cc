@@ -54,6 +54,11 @@ namespace postprocess
     write_pvd(folder / (name + ".pvd"), parts);
   }
 
+  std::string piece_name(const std::string &stem, const std::size_t rank, const std::string &extension)
+  {
+    return stem + "." + std::to_string(rank) + extension;
+  }
+
   void write_pvd(const std::filesystem::path &path, const std::vector<PvdPart> &parts)
   {
     std::string text = "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n  <Collection>\n";

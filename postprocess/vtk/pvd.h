@@ -9,7 +9,7 @@
 namespace postprocess
 {
   /**
-   * The snapshots of one kind as ParaView opens them: OUTPUT/NAME.pvd lists OUTPUT/NAME/NAME_000000.vtp (or .vtu, .pvtu), ... with
+   * The snapshots of one kind as ParaView opens them: OUTPUT/NAME.pvd lists OUTPUT/NAME/NAME_000000.vtp (or .vtu, .pvtu, .pvtp), ... with
    * times.
    *
    * The list is rewritten (atomically) after every snapshot, so it can be opened while the run goes on. File names
@@ -45,6 +45,9 @@ namespace postprocess
     std::string           name, extension;
     base::Column          times;
   };
+
+  /** The file of one rank's piece of a snapshot: NAME_000012.3.vtp. @param stem of the snapshot's file */
+  std::string piece_name(const std::string &stem, std::size_t rank, const std::string &extension);
 
   /** One file of a collection that shows several things at once. */
   struct PvdPart

@@ -20,6 +20,7 @@
 #include <vtkXMLUnstructuredGridWriter.h>
 
 #include <algorithm>
+#include <numeric>
 #include <stdexcept>
 
 namespace postprocess::vtk_file
@@ -113,12 +114,18 @@ namespace postprocess::vtk_file
     data->GetCellData()->AddArray(array);
   }
 
-  Array make_numbering(const std::string &name, const std::size_t count)
+  Array make_numbers(const std::string &name, const std::vector<std::int64_t> &values)
   {
-    auto array = make_empty<vtkIdTypeArray>(name, 1, count);
-    for (std::size_t i = 0; i < count; ++i)
-      array->SetValue(static_cast<vtkIdType>(i), static_cast<vtkIdType>(i) + 1);
+    auto array = make_empty<vtkIdTypeArray>(name, 1, values.size());
+    std::copy(values.begin(), values.end(), array->GetPointer(0));
     return array;
+  }
+
+  std::vector<std::int64_t> numbers_from(const std::int64_t first, const std::size_t count)
+  {
+    std::vector<std::int64_t> numbers(count);
+    std::iota(numbers.begin(), numbers.end(), first);
+    return numbers;
   }
 
   vtkSmartPointer<vtkPoints> make_points(const std::vector<Eigen::Vector3d> &position)
@@ -178,5 +185,79 @@ namespace postprocess::vtk_file
   void write(const std::filesystem::path &path, vtkUnstructuredGrid *const data, const double time)
   {
     write_by(*vtkNew<vtkXMLUnstructuredGridWriter>(), path, data, time);
+  }
+
+  namespace
+  {
+    /** A type of numbers by its name in files. */
+    const char *type_in_files(vtkDataArray &array)
+    {
+      switch (array.GetDataType())
+        {
+        case VTK_DOUBLE:
+          return "Float64";
+        case VTK_FLOAT:
+          return "Float32";
+        case VTK_INT:
+          return "Int32";
+        case VTK_ID_TYPE:
+          return "Int64\" IdType=\"1";
+        default:
+          throw std::logic_error(std::string("record: no name for the type of ") + array.GetDataTypeAsString());
+        }
+    }
+
+    /** As a record has it: what each piece's array of this name is. */
+    std::string record_of(vtkDataArray &array)
+    {
+      std::string text = "      <PDataArray type=\"" + std::string(type_in_files(array)) + "\" Name=\"" +
+                         array.GetName() + "\" NumberOfComponents=\"" + std::to_string(array.GetNumberOfComponents()) +
+                         "\"";
+      for (int c = 0; c < array.GetNumberOfComponents(); ++c)
+        if (const char *name = array.GetComponentName(c))
+          text += " ComponentName" + std::to_string(c) + "=\"" + name + "\"";
+      if (!array.HasInformation() || !array.GetInformation()->Has(vtkDataArray::UNITS_LABEL()))
+        return text + "/>\n";
+      return text + ">\n        <InformationKey name=\"UNITS_LABEL\" location=\"vtkDataArray\">" +
+             array.GetInformation()->Get(vtkDataArray::UNITS_LABEL()) + "</InformationKey>\n      </PDataArray>\n";
+    }
+
+    std::string record_of(vtkDataSetAttributes &values, const std::string &what)
+    {
+      std::string text = "    <" + what;
+      if (vtkDataArray *const tensors = values.GetTensors())
+        text += std::string(" Tensors=\"") + tensors->GetName() + "\"";
+      text += ">\n";
+      for (int a = 0; a < values.GetNumberOfArrays(); ++a)
+        text += record_of(*values.GetArray(a));
+      return text + "    </" + what + ">\n";
+    }
+
+    void write_record_of(const std::filesystem::path    &path,
+                         vtkPointSet                    &like,
+                         const std::string              &kind,
+                         const std::vector<std::string> &pieces)
+    {
+      std::string text = "<?xml version=\"1.0\"?>\n<VTKFile type=\"" + kind +
+                         "\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\">\n  <" + kind +
+                         " GhostLevel=\"0\">\n" + record_of(*like.GetPointData(), "PPointData") +
+                         record_of(*like.GetCellData(), "PCellData") + "    <PPoints>\n" +
+                         record_of(*like.GetPoints()->GetData()) + "    </PPoints>\n";
+      for (const std::string &piece : pieces)
+        text += "    <Piece Source=\"" + piece + "\"/>\n";
+      write_text(path, text + "  </" + kind + ">\n</VTKFile>\n");
+    }
+  } // namespace
+
+  void write_record(const std::filesystem::path &path, vtkPolyData *const like, const std::vector<std::string> &pieces)
+  {
+    write_record_of(path, *like, "PPolyData", pieces);
+  }
+
+  void write_record(const std::filesystem::path    &path,
+                    vtkUnstructuredGrid *const      like,
+                    const std::vector<std::string> &pieces)
+  {
+    write_record_of(path, *like, "PUnstructuredGrid", pieces);
   }
 } // namespace postprocess::vtk_file

@@ -28,8 +28,9 @@ namespace postprocess::vtk_file
   Array make_array(const std::string &name, const std::vector<Eigen::Matrix3d> &values);
   /** Rows of 1, 3 (vector) or 6 numbers (symmetric tensor, in VTK's order). */
   Array make_array(const std::string &name, const std::vector<float> &values, int components);
-  /** 1, 2, ... */
-  Array make_numbering(const std::string &name, std::size_t count);
+  Array make_numbers(const std::string &name, const std::vector<std::int64_t> &values);
+  /** first, first + 1, ... */
+  std::vector<std::int64_t> numbers_from(std::int64_t first, std::size_t count);
 
   /** Names the components of a tensor as ParaView shows them. */
   void name_components(vtkDataArray &array);
@@ -72,4 +73,12 @@ namespace postprocess::vtk_file
   /** Write as .vtp or .vtu (binary, compressed by zlib) with its time [s]. @throws OutputError. */
   void write(const std::filesystem::path &path, vtkPolyData *data, double time);
   void write(const std::filesystem::path &path, vtkUnstructuredGrid *data, double time);
+
+  /**
+   * Write the record (.pvtp or .pvtu) of a data set whose pieces stand in several files, atomically.
+   * @param like one of the pieces, for the names of the fields  @param pieces their files, relative to the record  @throws OutputError
+   */
+  void write_record(const std::filesystem::path &path, vtkPolyData *like, const std::vector<std::string> &pieces);
+  void
+  write_record(const std::filesystem::path &path, vtkUnstructuredGrid *like, const std::vector<std::string> &pieces);
 } // namespace postprocess::vtk_file

@@ -3,10 +3,10 @@
 #include "postprocess/vtk/vtk_file.h"
 
 #include <vtkCellArray.h>
-#include <vtkNew.h>
 
 #include <algorithm>
 #include <stdexcept>
+#include <utility>
 
 namespace postprocess
 {
@@ -41,16 +41,30 @@ namespace postprocess
                    particles.position.size());
     }
 
+    /** What a file shows: all links, or those of one rank. */
+    struct Shown
+    {
+      const dem::LinkOutput     &links;
+      const dem::ParticleOutput &particles;
+      const Images              &images;
+      const Classes             &classes;
+      std::vector<std::int64_t>  ids;   ///< of particles, from 1
+      std::vector<std::int64_t>  lines; ///< of links of one rank
+      bool                       several_pairs, glued, periodic, classed, in_pieces;
+    };
+
     /** The points of the file, and which two of them each link joins. */
     struct Points
     {
-      Points(const dem::LinkOutput &links, const dem::ParticleOutput &particles, const Images &images)
-        : position(particles.position)
-        , displacement(particles.displacement)
-        , radius(particles.radius)
+      explicit Points(const Shown &shown)
+        : position(shown.particles.position)
+        , displacement(shown.particles.displacement)
+        , radius(shown.particles.radius)
+        , id(shown.ids.begin(), shown.ids.end())
       {
-        for (std::size_t i = 0; i < position.size(); ++i)
-          id.push_back(static_cast<std::int32_t>(i) + 1);
+        const dem::LinkOutput     &links     = shown.links;
+        const dem::ParticleOutput &particles = shown.particles;
+        const Images              &images    = shown.images;
         lines->AllocateExact(static_cast<vtkIdType>(links.ends.size()), static_cast<vtkIdType>(2 * links.ends.size()));
         for (std::size_t l = 0; l < links.ends.size(); ++l)
           {
@@ -123,6 +137,66 @@ namespace postprocess
         flags.push_back(kind == dem::LinkOutput::broken ? 1 : 0);
       return flags;
     }
+
+    /** Cell data that only some files have. */
+    void add_occasional(const FieldWriter &values, const Shown &shown)
+    {
+      const dem::LinkOutput &links = shown.links;
+      const std::size_t      more  = links.glue.particle.size();
+      if (shown.glued)
+        values.add("surface", joined(std::vector<std::int32_t>(links.kind.size(), -1), links.glue.surface));
+      if (shown.several_pairs)
+        values.add("material_pair", joined(links.pair, std::vector<std::int32_t>(more, -1)));
+      if (shown.classed)
+        values.add("class", joined(shown.classes, Classes(more, -1)));
+      if (shown.periodic)
+        values.add("to_image", joined(image_flags(shown.images), std::vector<std::int32_t>(more, 0)));
+      if (shown.in_pieces)
+        values.add(make_numbers("line", shown.lines));
+      for (std::size_t c = 0; c < links.quantities.size(); ++c)
+        values.add_own(links.quantities[c].name, links.quantities[c].unit,
+                       joined(links.history[c], std::vector<double>(more, 0.0)));
+    }
+
+    vtkSmartPointer<vtkPolyData> data_of(const Shown &shown)
+    {
+      const dem::LinkOutput &links = shown.links;
+      const dem::GlueOutput &glue  = links.glue;
+      check_columns(links, shown.particles, shown.images, shown.classes);
+
+      const Points ends(shown);
+      auto         data = vtkSmartPointer<vtkPolyData>::New();
+      data->SetPoints(make_points(ends.position));
+      data->SetLines(ends.lines);
+
+      const FieldWriter values(field_file("links"), data);
+      values.add("id", ends.id);
+      values.add("radius", ends.radius);
+      values.add("displacement", ends.displacement);
+      values.add("normal_force", joined(links.normal_force, glue.normal_force));
+      values.add("shear_force", joined(links.shear_force, glue.shear_force));
+      values.add("normal_stress", joined(links.normal_stress, glue.normal_stress));
+      values.add("shear_stress", joined(links.shear_stress, glue.shear_stress));
+      values.add("normal_strain", joined(links.normal_strain, glue.normal_strain));
+      values.add("damage", joined(links.damage, glue.damage));
+      values.add("kind", kinds(links));
+      values.add("broken", broken_flags(links));
+      add_occasional(values, shown);
+      return data;
+    }
+
+    vtkSmartPointer<vtkPolyData>
+    data_of(const dem::RankOutput &shown, const ImagesOfCell &images, const ClassesOfLinks &classes)
+    {
+      const Images              no_images;
+      const Classes             no_classes;
+      std::vector<std::int64_t> ids = shown.number_of_point;
+      for (std::int64_t &id : ids)
+        ++id;
+      return data_of({shown.links, shown.points, images ? *images : no_images, classes ? *classes : no_classes,
+                      std::move(ids), shown.line, shown.several_materials, shown.glued, images.has_value(),
+                      classes.has_value(), true});
+    }
   } // namespace
 
   void write_vtk_links(const std::filesystem::path &path,
@@ -132,38 +206,35 @@ namespace postprocess
                        const Images                &images,
                        const Classes               &classes)
   {
-    check_columns(links, particles, images, classes);
+    const auto data = data_of({links,
+                               particles,
+                               images,
+                               classes,
+                               numbers_from(1, particles.position.size()),
+                               {},
+                               !links.pair.empty(),
+                               !links.glue.particle.empty(),
+                               !images.empty(),
+                               !classes.empty(),
+                               false});
+    write(path, data.Get(), time);
+  }
 
-    const Points        points(links, particles, images);
-    vtkNew<vtkPolyData> data;
-    data->SetPoints(make_points(points.position));
-    data->SetLines(points.lines);
+  void write_vtk_links(const std::filesystem::path &path,
+                       const dem::RankOutput       &shown,
+                       const double                 time,
+                       const ImagesOfCell          &images,
+                       const ClassesOfLinks        &classes)
+  {
+    write(path, data_of(shown, images, classes).Get(), time);
+  }
 
-    const FieldWriter values(field_file("links"), data);
-    values.add("id", points.id);
-    values.add("radius", points.radius);
-    values.add("displacement", points.displacement);
-    const dem::GlueOutput &glue = links.glue;
-    const std::size_t      more = glue.particle.size();
-    values.add("normal_force", joined(links.normal_force, glue.normal_force));
-    values.add("shear_force", joined(links.shear_force, glue.shear_force));
-    values.add("normal_stress", joined(links.normal_stress, glue.normal_stress));
-    values.add("shear_stress", joined(links.shear_stress, glue.shear_stress));
-    values.add("normal_strain", joined(links.normal_strain, glue.normal_strain));
-    values.add("damage", joined(links.damage, glue.damage));
-    values.add("kind", kinds(links));
-    values.add("broken", broken_flags(links));
-    if (more > 0)
-      values.add("surface", joined(std::vector<std::int32_t>(links.kind.size(), -1), glue.surface));
-    if (!links.pair.empty())
-      values.add("material_pair", joined(links.pair, std::vector<std::int32_t>(more, -1)));
-    if (!classes.empty())
-      values.add("class", joined(classes, Classes(more, -1)));
-    if (!images.empty())
-      values.add("to_image", joined(image_flags(images), std::vector<std::int32_t>(more, 0)));
-    for (std::size_t c = 0; c < links.quantities.size(); ++c)
-      values.add_own(links.quantities[c].name, links.quantities[c].unit,
-                     joined(links.history[c], std::vector<double>(more, 0.0)));
-    write(path, data, time);
+  void write_vtk_links_record(const std::filesystem::path    &path,
+                              const dem::RankOutput          &like,
+                              const ImagesOfCell             &images,
+                              const ClassesOfLinks           &classes,
+                              const std::vector<std::string> &pieces)
+  {
+    write_record(path, data_of(like, images, classes).Get(), pieces);
   }
 } // namespace postprocess

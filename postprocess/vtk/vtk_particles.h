@@ -1,8 +1,10 @@
 #pragma once
 
-#include "dem/specimen/results.h"
+#include "dem/specimen/rank_output.h"
 
 #include <filesystem>
+#include <string>
+#include <vector>
 
 namespace postprocess
 {
@@ -14,4 +16,15 @@ namespace postprocess
    * @throws std::invalid_argument if the columns differ in length; OutputError.
    */
   void write_vtk_particles(const std::filesystem::path &path, const dem::ParticleOutput &particles, double time);
+
+  /** The same of those that one of several ranks has: a piece. */
+  void write_vtk_particles(const std::filesystem::path &path, const dem::RankOutput &shown, double time);
+
+  /**
+   * Write the record (.pvtp) of the pieces, atomically.
+   * @param like what one of the ranks shows, for the names of the fields  @param pieces files, relative to the record  @throws OutputError
+   */
+  void write_vtk_particles_record(const std::filesystem::path    &path,
+                                  const dem::RankOutput          &like,
+                                  const std::vector<std::string> &pieces);
 } // namespace postprocess

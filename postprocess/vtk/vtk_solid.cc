@@ -1,6 +1,5 @@
 #include "postprocess/vtk/vtk_solid.h"
 
-#include "postprocess/files/atomic_file.h"
 #include "postprocess/vtk/vtk_file.h"
 
 #include <vtkCellData.h>
@@ -52,41 +51,30 @@ namespace postprocess
       values.AddArray(array);
     }
 
-    std::string record_of(const std::vector<fem::SolidSnapshot::Field> &fields, const char *const what)
+    vtkSmartPointer<vtkUnstructuredGrid> grid_of(const fem::SolidSnapshot &solid)
     {
-      std::string text = std::string("    <") + what + ">\n";
-      for (const fem::SolidSnapshot::Field &field : fields)
-        text += "      <PDataArray type=\"Float32\" Name=\"" + field.name + "\" NumberOfComponents=\"" +
-                std::to_string(field.components) + "\"/>\n";
-      return text + "    </" + what + ">\n";
+      auto              grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
+      vtkNew<vtkPoints> points;
+      points->SetData(make_array("place", solid.place, 3));
+      grid->SetPoints(points);
+      grid->SetCells(solid.element_type, cells_of(solid));
+      for (const auto &field : solid.at_nodes)
+        add(*grid, *grid->GetPointData(), field, solid.nodes());
+      for (const auto &field : solid.of_elements)
+        add(*grid, *grid->GetCellData(), field, solid.size());
+      return grid;
     }
   } // namespace
 
   void write_vtk_solid(const std::filesystem::path &path, const fem::SolidSnapshot &solid, const double time)
   {
-    vtkNew<vtkUnstructuredGrid> grid;
-    vtkNew<vtkPoints>           points;
-    points->SetData(make_array("place", solid.place, 3));
-    grid->SetPoints(points);
-    grid->SetCells(solid.element_type, cells_of(solid));
-    for (const auto &field : solid.at_nodes)
-      add(*grid, *grid->GetPointData(), field, solid.nodes());
-    for (const auto &field : solid.of_elements)
-      add(*grid, *grid->GetCellData(), field, solid.size());
-    write(path, grid, time);
+    write(path, grid_of(solid).Get(), time);
   }
 
   void write_vtk_solid_record(const std::filesystem::path    &path,
                               const fem::SolidSnapshot       &like,
                               const std::vector<std::string> &pieces)
   {
-    std::string text = "<?xml version=\"1.0\"?>\n<VTKFile type=\"PUnstructuredGrid\" version=\"1.0\" "
-                       "byte_order=\"LittleEndian\" header_type=\"UInt64\">\n  <PUnstructuredGrid GhostLevel=\"0\">\n" +
-                       record_of(like.at_nodes, "PPointData") + record_of(like.of_elements, "PCellData") +
-                       "    <PPoints>\n      <PDataArray type=\"Float32\" Name=\"place\" NumberOfComponents=\"3\"/>\n"
-                       "    </PPoints>\n";
-    for (const std::string &piece : pieces)
-      text += "    <Piece Source=\"" + piece + "\"/>\n";
-    write_text(path, text + "  </PUnstructuredGrid>\n</VTKFile>\n");
+    write_record(path, grid_of(like).Get(), pieces);
   }
 } // namespace postprocess

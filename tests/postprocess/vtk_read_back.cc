@@ -19,6 +19,7 @@
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
 #include <vtkUnstructuredGrid.h>
+#include <vtkXMLPUnstructuredGridReader.h>
 #include <vtkXMLPolyDataReader.h>
 #include <vtkXMLUnstructuredGridReader.h>
 
@@ -224,8 +225,14 @@ TEST_CASE("arrays carry the units that are declared for them", "[postprocess]")
   particles.material            = {0, 1, 0, 1, 0};
   links.pair                    = {0, 1, 2, 1};
   links.glue                    = {{0}, {0}, {{1, 2, 3}}, {{0, 0, 0}}, {0}, {1}, {1}, {1}, {1}, {0}, {0}};
-  write_vtk_particles(folder / "p.vtp", particles, 0);
-  write_vtk_links(folder / "l.vtp", links, particles, 0, std::vector<dem::LinkImage>(4));
+  dem::RankOutput piece; // which has all that there can be
+  piece.particles = piece.points = particles;
+  piece.number = piece.number_of_point = {4, 3, 2, 1, 0};
+  piece.links                          = links;
+  piece.line                           = {0, 1, 2, 3, 4};
+  piece.several_materials = piece.glued = true;
+  write_vtk_particles(folder / "p.vtp", piece, 0);
+  write_vtk_links(folder / "l.vtp", piece, 0, std::vector<dem::LinkImage>(4), std::vector<std::int32_t>{0, 1, 2, 1});
   for (const char *kind : {"particles", "links"})
     {
       const auto       data = open(folder / (std::string(1, kind[0]) + ".vtp"));
@@ -285,6 +292,39 @@ TEST_CASE("a solid is read back with its elements, tensors and element values", 
   solid.of_elements.front().values.pop_back();
   CHECK_THROWS_AS(write_vtk_solid(folder / "s.vtu", solid, 0), std::invalid_argument);
   CHECK(files_in(folder.path) == 1);
+}
+
+TEST_CASE("a record and its pieces are read as one solid, with units and names of components", "[postprocess]")
+{
+  const ScratchFolder folder;
+  fem::SolidSnapshot  solid; // a square
+  solid.place         = {0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0};
+  solid.element_type  = 9;
+  solid.element_nodes = 4;
+  solid.elements      = {0, 1, 3, 2};
+  solid.at_nodes      = {{"displacement", "m", 3, std::vector<float>(12, 0.5f)}, {"stress", "", 6, {}}};
+  for (int i = 0; i < 24; ++i)
+    solid.at_nodes[1].values.push_back(static_cast<float>(i));
+  solid.of_elements = {{"damage", "", 1, {0.25f}}};
+  write_vtk_solid(folder / piece_name("s", 0, ".vtu"), solid, 0.5);
+  solid.of_elements[0].values[0] = 0.75f;
+  write_vtk_solid(folder / piece_name("s", 1, ".vtu"), solid, 0.5);
+  write_vtk_solid_record(folder / "s.pvtu", solid, {"s.0.vtu", "s.1.vtu"});
+
+  const auto reader = vtkSmartPointer<vtkXMLPUnstructuredGridReader>::New();
+  REQUIRE(reader->CanReadFile((folder / "s.pvtu").c_str()) == 1);
+  reader->SetFileName((folder / "s.pvtu").c_str());
+  reader->Update();
+  vtkUnstructuredGrid *const grid = reader->GetOutput();
+  REQUIRE(grid->GetNumberOfCells() == 2);
+  REQUIRE(grid->GetNumberOfPoints() == 8);
+  CHECK(grid->GetCellData()->GetArray("damage")->GetTuple1(0) == 0.25);
+  CHECK(grid->GetCellData()->GetArray("damage")->GetTuple1(1) == 0.75);
+  vtkDataArray *const stress = grid->GetPointData()->GetArray("stress");
+  CHECK(grid->GetPointData()->GetTensors() == stress);
+  CHECK(stress->GetComponent(7, 5) == 23);
+  CHECK(std::string(stress->GetComponentName(5)) == "XZ");
+  CHECK(std::string(stress->GetInformation()->Get(vtkDataArray::UNITS_LABEL())) == "Pa");
 }
 
 TEST_CASE("a links file without any link opens and has every column", "[postprocess]")

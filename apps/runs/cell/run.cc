@@ -66,7 +66,8 @@ namespace apps
     if (fresh)
       keep_packing(packing, folder);
     if (model.output.snapshots > 0)
-      snapshots.open(folder, "cell", {false, false, LinkClasses(model.mixed().link_classes(packing.material_names))});
+      snapshots.open(folder, "cell", model.output.pieces,
+                     {false, false, LinkClasses(model.mixed().link_classes(packing.material_names))});
   }
 
   void CellRun::visit_state(RunState &state)

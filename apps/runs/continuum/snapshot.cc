@@ -3,6 +3,7 @@
 #include "apps/process/mpi_session.h"
 #include "fem/output/snapshot.h"
 #include "postprocess/files/errors.h"
+#include "postprocess/vtk/pvd.h"
 #include "postprocess/vtk/vtk_solid.h"
 
 #include <deal.II/base/mpi.h>
@@ -39,7 +40,7 @@ namespace apps
     const std::string        stem     = stem_of(place);
     std::vector<std::string> pieces;
     for (unsigned int r = 0; r < ranks; ++r)
-      pieces.push_back(ranks > 1 ? fmt::format("{}.{}.vtu", stem, r) : stem + ".vtu");
+      pieces.push_back(ranks > 1 ? postprocess::piece_name(stem, r, ".vtu") : stem + ".vtu");
     std::string problem;
     if (ranks > 1 || is_first_rank()) // where every rank has the whole, one writes it
       try

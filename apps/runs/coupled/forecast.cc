@@ -55,7 +55,7 @@ namespace apps
       return rows + static_cast<double>(std::min(output.snapshots, output.samples)) *
                       seconds_to_write([&](const std::filesystem::path &folder) {
                         SpecimenSnapshots taken;
-                        taken.open(folder, "particles", {true, false});
+                        taken.open(folder, "particles", output.pieces, {true, false});
                         taken.take(body.particles().specimen());
                         const postprocess::PvdCollection solids(folder, "solid", ".vtu");
                         body.write_solid(folder, solids.size());

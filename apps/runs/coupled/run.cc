@@ -59,7 +59,8 @@ namespace apps
       media.write(folder / ParticleMedia::file_name);
     if (model.particles.output.snapshots == 0)
       return;
-    snapshots.open(folder, "particles", {true, model.particles.bonded(), body->particles().link_classes()});
+    snapshots.open(folder, "particles", model.particles.output.pieces,
+                   {true, model.particles.bonded(), body->particles().link_classes()});
     solids.emplace(folder, "solid", ".vtu");
   }
 
@@ -143,7 +144,8 @@ namespace apps
           parts.push_back({times[i], part, name, fmt::format("{0}/{0}_{1:06}{2}", folder, i, extension)});
         };
         list(0, "solid", "solid", ".vtu");
-        list(1, "particles", "particles_particles", ".vtp");
+        list(1, "particles", "particles_particles",
+             model.particles.output.pieces == SnapshotPieces::per_rank ? ".pvtp" : ".vtp");
         list(2, "surfaces", "particles_walls", ".vtp");
       }
     postprocess::write_pvd(location / "coupled.pvd", parts);

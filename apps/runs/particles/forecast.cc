@@ -122,7 +122,8 @@ namespace apps
     const double snapshot =
       model.output.snapshots == 0 ? 0.0 : seconds_to_write([&](const std::filesystem::path &folder) {
         SpecimenSnapshots snapshots;
-        snapshots.open(folder, "particles", {!model.walls.walls.empty() || model.laboratory.given(), model.bonded()});
+        snapshots.open(folder, "particles", model.output.pieces,
+                       {!model.walls.walls.empty() || model.laboratory.given(), model.bonded()});
         snapshots.take(specimen);
       });
     const double motion = steps * step + static_cast<double>(model.output.samples) * row +

@@ -90,7 +90,7 @@ namespace apps
   void ParticlesRun::open(const std::filesystem::path &folder)
   {
     if (model.output.snapshots > 0)
-      snapshots.open(folder, "particles",
+      snapshots.open(folder, "particles", model.output.pieces,
                      {!model.walls.walls.empty() || model.laboratory.given(), model.bonded(), body->link_classes()});
   }
 

@@ -41,7 +41,7 @@ namespace apps
       });
       const double snapshot = output.snapshots == 0 ? 0.0 : seconds_to_write([&](const std::filesystem::path &folder) {
         SpecimenSnapshots taken;
-        taken.open(folder, "test");
+        taken.open(folder, "test", output.pieces);
         taken.take(body);
       });
       return static_cast<double>(output.samples) * row +

@@ -75,6 +75,7 @@ namespace apps
     , steps_at_most(most_steps(model.loading, model.loading.tests[which], specimen.time_step()))
     , sampling(steps_at_most, model.output)
     , shown(model.output.snapshots > 0)
+    , pieces(model.output.pieces)
     , zone_wanted(model.fracture_zone)
   {
     result.load               = model.loading.tests[which];
@@ -100,7 +101,7 @@ namespace apps
   void UniaxialLabTest::open(const std::filesystem::path &folder)
   {
     if (shown)
-      snapshots.open(folder, name, {false, false, classes});
+      snapshots.open(folder, name, pieces, {false, false, classes});
   }
 
   void UniaxialLabTest::advance()

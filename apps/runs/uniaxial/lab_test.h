@@ -93,6 +93,7 @@ namespace apps
     std::int64_t             steps_at_most;
     StepSampling             sampling;
     bool                     shown; ///< snapshots are requested
+    SnapshotPieces           pieces;
     SpecimenSnapshots        snapshots;
     SidewaysStrain           sideways;
     bool                     zone_wanted;

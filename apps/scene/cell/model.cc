@@ -66,6 +66,6 @@ namespace apps
     declare_physics(root, model.physics);
     declare(root, model.time);
     declare_loading(root, model);
-    declare(root, model.output);
+    declare_for_ranks(root, model.output);
   }
 } // namespace apps

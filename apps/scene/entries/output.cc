@@ -18,4 +18,15 @@ namespace apps
       .means("Longest wall-clock time between checkpoints; from one minute on they are made wherever saving is cheap")
       .housekeeping();
   }
+
+  void declare_for_ranks(Section &root, OutputSection &output)
+  {
+    declare(root, output);
+    root.find_section("Output")
+      ->choice("Pieces", output.pieces, {{"one", SnapshotPieces::one}, {"per rank", SnapshotPieces::per_rank}},
+               Need::optional)
+      .means("ParaView files of particles and links: one (.vtp), for which the first rank is given all of them, or a "
+             "piece per rank with a record of the pieces (.pvtp), which needs memory for a rank's own part alone; on "
+             "one rank there is one piece");
+  }
 } // namespace apps

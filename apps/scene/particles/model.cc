@@ -28,7 +28,7 @@ namespace apps
   {
     void declare_output(Section &root, OutputSection &output, std::string &horizontal, std::string &vertical)
     {
-      declare(root, output);
+      declare_for_ranks(root, output);
       Section &section = *root.find_section("Output");
       Entry   &samples = *section.find_entry("Samples");
       samples.means("Rows of series.csv from the start to the end time, besides that of the start; stop conditions are "

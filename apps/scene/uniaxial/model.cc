@@ -24,7 +24,7 @@ namespace apps
     declare(root, model.time);
     declare(root, model.gravity);
     declare(root, model.loading);
-    declare(root, model.output);
+    declare_for_ranks(root, model.output);
     root.find_section("Output")
       ->flag("Fracture zone", model.fracture_zone)
       .means("Figures tension_fracture_zone_width and the like: how wide the zone is in which links dissipate energy "
