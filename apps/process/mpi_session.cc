@@ -3,6 +3,7 @@
 #include "apps/process/interrupt.h"
 #include "apps/process/rank_meetings.h"
 #include "base/errors.h"
+#include "base/mpi_alone.h"
 #include "base/solver_turns.h"
 #include "postprocess/files/errors.h"
 
@@ -134,13 +135,11 @@ namespace apps
       throw base::InputError(
         "MPI: has been started by another part of this program (mpi4py, say), and finite elements must start it "
         "themselves. Make the first solid before that part is loaded.");
-    // Without a launcher, Open MPI starts a daemon and searches for an ssh by which it could launch others, and gives up without one.
+    // Without a launcher, Open MPI searches for an ssh by which it could launch others, and gives up without one.
     if (launched_ranks() == 1)
-      {
-        ::setenv("OMPI_MCA_plm", "isolated", 0);
-        ::setenv("OMPI_MCA_ess_singleton_isolated", "1", 0);
-      }
-    const FolderForMpi folder;
+      ::setenv("OMPI_MCA_plm", "isolated", 0);
+    const base::MpiAlone alone;
+    const FolderForMpi   folder;
     // PETSc, which deal.II starts too, sets the handlers of signals to the system's own.
     std::array<struct sigaction, 2> handlers;
     sigaction(SIGINT, nullptr, &handlers[0]);

@@ -100,6 +100,15 @@ TEST_CASE("A structure that cannot be driven is refused by name", "[apps][struct
   refused({"Continuum/Supports/left support/Displacement z=1e-6"}, "in proportion to t");
   refused({"Handshakes/core/High=0.072, 1, 1"}, "Let the region end where elements do");
   refused({"Groups/load/Lower=1, 1, 1", "Groups/load/Upper=2, 2, 2"}, "no particle's centre lies in it");
+  // A tenth of the particles' stiffness: with their bonds taken off less than nothing. Shares are not taken off.
+  const std::string soft  = "Continuum/Materials/concrete/Law=isotropic elastic",
+                    ten   = "Continuum/Materials/concrete/isotropic elastic/Young modulus=3e9",
+                    ratio = "Continuum/Materials/concrete/isotropic elastic/Poisson ratio=0.2";
+  is_refused(folder, scene, {from_files[0], from_files[1], soft, ten, ratio},
+             "some motions of the overlap would cost no energy");
+  CHECK(outcome_of(folder, "check", scene,
+                   {from_files[0], from_files[1], soft, ten, ratio, "Handshakes/core/Method=multipliers"})
+          .status == 0);
   refused({"Output/Curve vertical=lode"}, "Curve vertical");
   refused({"Output/Curve vertical=opening"}, "Bending test: its load is Output/Curve vertical, here opening");
   refused({"Groups/load/Lower=0.046, -1, -1", "Groups/load/Upper=0.049, 1, 1"}, "a support leads it");

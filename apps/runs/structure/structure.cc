@@ -129,11 +129,11 @@ namespace apps
     const bool at_start =
       std::all_of(promoted_elements.begin(), promoted_elements.end(), [](auto n) { return n == 0; });
     if (solid && at_start && !solid->is_positive())
-      throw base::InputError("Handshakes: elements are so much softer than the particles that with Method = "
-                             "constrained, which takes what bonds bear within "
-                             "elements off their stiffness, some motions would cost no energy. Give elements the "
-                             "stiffness of the particles (\"breccia "
-                             "homogenise\" has it), or set Method = multipliers.");
+      throw base::InputError("Handshakes: some motions of the overlap would cost no energy. With Method = constrained, "
+                             "what bonds bear within elements is taken off "
+                             "the stiffness of these, which are too soft or too small for it. Let elements be stiffer "
+                             "or larger, or the region end elsewhere "
+                             "between its particles, or set Method = multipliers.");
   }
 
   std::unique_ptr<StructureSolid> Structure::make_solid(const dem::Packing &packing, const ParticleMedia &media) const
