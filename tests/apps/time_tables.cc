@@ -87,7 +87,7 @@ TEST_CASE("A table that is none is refused with the file and the place in it", "
   };
   refused("time,velocity\n0,0\n0,1\n", "way.csv: row 2: time 0 after 0: times must ascend.");
   refused("time,velocity\n", "way.csv: has no rows");
-  refused("t,velocity\n0,0\n", "way.csv: there is no column time. Columns: t, velocity.");
+  refused("when,velocity\n0,0\n", "way.csv: there is no column time. Columns: when, velocity.");
   refused("time,a,b\n0,0,0\n", "has 2 columns besides the time. Say which: table FILE: COLUMN");
   refused("time,velocity [N]\n0,0\n", "column velocity is in [N], expected [m/s]");
   refused("time,displacement\n0,0\n1,1\n", "column displacement is a displacement by its name, and a table in [m/s]");
