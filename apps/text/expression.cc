@@ -21,14 +21,19 @@ namespace apps
       formula.DefineVar("t", &t);
       formula.DefineConst("pi", 3.14159265358979323846);
       formula.SetExpr(text);
-      const auto used = formula.GetUsedVar(); // asked once: the formula is read anew after each time
+    }
+
+    /** To be asked once: the formula is read anew after each time. */
+    void find_variables()
+    {
+      const auto used = formula.GetUsedVar();
       in_time         = used.count("t") > 0;
       in_space        = used.count("x") + used.count("y") + used.count("z") > 0;
     }
 
     mu::Parser  formula;
     double      x = 0.1, y = 0.2, z = 0.3, t = 0.4;
-    bool        in_time, in_space; ///< what occurs in it
+    bool        in_time = false, in_space = false; ///< what occurs in it, once that has been found
     std::string name;
   };
 
@@ -36,6 +41,7 @@ namespace apps
     : parser(std::make_shared<Parser>(text))
   {
     parser->name = name + " = " + text;
+    parser->find_variables();
   }
 
   Expression::Expression(std::shared_ptr<const TimeTable> by_time)
