@@ -128,6 +128,13 @@ namespace postprocess::vtk_file
     return numbers;
   }
 
+  std::vector<std::int64_t> ids_of(std::vector<std::int64_t> numbers)
+  {
+    for (std::int64_t &number : numbers)
+      ++number;
+    return numbers;
+  }
+
   vtkSmartPointer<vtkPoints> make_points(const std::vector<Eigen::Vector3d> &position)
   {
     auto points = vtkSmartPointer<vtkPoints>::New();

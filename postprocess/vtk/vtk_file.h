@@ -32,6 +32,9 @@ namespace postprocess::vtk_file
   /** first, first + 1, ... */
   std::vector<std::int64_t> numbers_from(std::int64_t first, std::size_t count);
 
+  /** Numbers of particles in a packing, from 0, as files have them: from 1. */
+  std::vector<std::int64_t> ids_of(std::vector<std::int64_t> numbers);
+
   /** Names the components of a tensor as ParaView shows them. */
   void name_components(vtkDataArray &array);
 

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <stdexcept>
-#include <utility>
 
 namespace postprocess
 {
@@ -188,14 +187,11 @@ namespace postprocess
     vtkSmartPointer<vtkPolyData>
     data_of(const dem::RankOutput &shown, const ImagesOfCell &images, const ClassesOfLinks &classes)
     {
-      const Images              no_images;
-      const Classes             no_classes;
-      std::vector<std::int64_t> ids = shown.number_of_point;
-      for (std::int64_t &id : ids)
-        ++id;
+      const Images  no_images;
+      const Classes no_classes;
       return data_of({shown.links, shown.points, images ? *images : no_images, classes ? *classes : no_classes,
-                      std::move(ids), shown.line, shown.several_materials, shown.glued, images.has_value(),
-                      classes.has_value(), true});
+                      ids_of(shown.number_of_point), shown.line, shown.several_materials, shown.glued,
+                      images.has_value(), classes.has_value(), true});
     }
   } // namespace
 

@@ -49,10 +49,7 @@ namespace postprocess
 
     vtkSmartPointer<vtkPolyData> data_of(const dem::RankOutput &shown)
     {
-      std::vector<std::int64_t> ids = shown.number;
-      for (std::int64_t &id : ids)
-        ++id;
-      return data_of(shown.particles, ids, shown.several_materials);
+      return data_of(shown.particles, ids_of(shown.number), shown.several_materials);
     }
   } // namespace
 

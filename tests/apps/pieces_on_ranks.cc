@@ -264,12 +264,7 @@ TEST_CASE("Pieces of a run that was interrupted on three ranks and went on on tw
   const ScratchFolder folder;
   run(folder, 0, small_concrete({}) + " -o whole");
   const std::string words = small_concrete(in_pieces);
-  shell_in(folder, program_on(3, 1, noting_its_process) + words +
-                     " -s 'Output/Checkpoint interval=0.01' -o results & while kill -0 $! && [ ! -e "
-                     "results/running/checkpoint.h5 ]; do sleep 0.01; done; " +
-                     interrupt_noted + "; wait $!");
-  INFO(content_of(folder / "said"));
-  REQUIRE_FALSE(std::filesystem::exists(folder / "results/summary.json"));
+  interrupt_on_three(folder, words);
   // As if it had gone further than its last checkpoint.
   const std::filesystem::path shown = folder / "results/running/compression_links";
   std::filesystem::create_directories(shown);

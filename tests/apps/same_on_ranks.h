@@ -48,18 +48,25 @@ namespace apps_tests
     return names;
   }
 
-  /** Interrupted on three ranks, a run goes on on one and on five to what it gives without. Only the first writes checkpoints. */
-  inline void goes_on_on_others(const std::string &words)
+  /** Let a run on three ranks be interrupted once it has written a checkpoint, into `results`. */
+  inline void interrupt_on_three(const ScratchFolder &folder, const std::string &words)
   {
-    const ScratchFolder folder;
-    REQUIRE(shell_in(folder, program_on(0, 1) + words + " -o whole") == 0);
     shell_in(folder, program_on(3, 1, noting_its_process) + words +
-                       " -s 'Output/Checkpoint interval=0.01' -o results & while kill -0 $! && [ ! -e results/running/checkpoint.h5 ]; do sleep 0.01; "
+                       " -s 'Output/Checkpoint interval=0.01' -o results & while kill -0 $! && [ ! -e "
+                       "results/running/checkpoint.h5 ]; do sleep 0.01; "
                        "done; " +
                        interrupt_noted + "; wait $!");
     INFO(content_of(folder / "said"));
     REQUIRE_FALSE(std::filesystem::exists(folder / "results/summary.json"));
     CHECK_THAT(content_of(folder / "said"), Catch::Contains("state saved"));
+  }
+
+  /** Interrupted on three ranks, a run goes on on one and on five to what it gives without. Only the first writes checkpoints. */
+  inline void goes_on_on_others(const std::string &words)
+  {
+    const ScratchFolder folder;
+    REQUIRE(shell_in(folder, program_on(0, 1) + words + " -o whole") == 0);
+    interrupt_on_three(folder, words);
     std::filesystem::copy(folder / "results", folder / "others", std::filesystem::copy_options::recursive);
     REQUIRE(shell_in(folder, program_on(0, 2) + words + " -o results --resume") == 0);
     CHECK(differences(folder / "whole", folder / "results") == std::vector<std::string>());
