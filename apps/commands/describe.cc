@@ -14,9 +14,11 @@
 
 #include <algorithm>
 #include <cctype>
+#include <iterator>
 #include <memory>
 #include <optional>
 #include <set>
+#include <sstream>
 
 namespace apps
 {
@@ -24,7 +26,8 @@ namespace apps
   {
     struct DescribeOptions
     {
-      std::string wanted, kind, format = "prm";
+      std::vector<std::string> words;
+      std::string              wanted, kind, format = "prm"; ///< wanted: the words, with blanks between
     };
 
     std::string in_lower_case(std::string text)
@@ -72,10 +75,19 @@ namespace apps
     {
       in_name,
       in_value,
-      in_meaning
+      in_meaning,
+      word_by_word ///< of several words each somewhere else
     };
 
-    constexpr Mention mentions_by_rank[] = {Mention::in_name, Mention::in_value, Mention::in_meaning};
+    constexpr Mention mentions_by_rank[] = {Mention::in_name, Mention::in_value, Mention::in_meaning,
+                                            Mention::word_by_word};
+
+    bool mentions_each_word(const std::string &text, const std::string &wanted)
+    {
+      std::istringstream words(wanted);
+      return std::all_of(std::istream_iterator<std::string>(words), {},
+                         [&text](const std::string &word) { return mentions(text, word); });
+    }
 
     /** The best place at which an entry has the word. */
     std::optional<Mention> mention_in(const Entry &entry, const std::string &wanted)
@@ -86,6 +98,8 @@ namespace apps
         return Mention::in_value;
       if (mentions(entry.meaning, wanted))
         return Mention::in_meaning;
+      if (mentions_each_word(entry.name + ' ' + entry.value + ' ' + entry.allowed + ' ' + entry.meaning, wanted))
+        return Mention::word_by_word;
       return {};
     }
 
@@ -329,9 +343,9 @@ namespace apps
        "describe", "Every parameter of a scene, or those of a section, or one: meaning, unit, default, range");
     command
       .add_option(
-        "name", options->wanted,
+        "name", options->words,
         "Section or entry by its name or the end of its path, e.g. Damping, Tension, Loading/Tension; a kind, "
-        "e.g. study; a word that is no name is sought in names, values and texts, e.g. triaxial; default: all")
+        "e.g. study; words that are no name are sought in names, values and texts, e.g. triaxial; default: all")
       ->type_name("NAME");
     std::vector<std::string> kinds;
     for (const SceneKind &kind : scene_kinds())
@@ -341,6 +355,9 @@ namespace apps
       ->check(CLI::IsMember(kinds));
     command.add_option("--format", options->format, "prm (default), json or md (Markdown)")
       ->check(CLI::IsMember({"prm", "json", "md"}));
-    command.callback([options, &chosen] { chosen = [options] { return describe(*options); }; });
+    command.callback([options, &chosen] {
+      options->wanted = fmt::format("{}", fmt::join(options->words, " "));
+      chosen          = [options] { return describe(*options); };
+    });
   }
 } // namespace apps

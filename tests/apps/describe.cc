@@ -159,6 +159,18 @@ TEST_CASE("describe seeks a word that is no name in names, values and texts, the
   CHECK((indirect == std::string::npos || named < indirect));
 }
 
+TEST_CASE("describe seeks several words wherever they stand in what is said of an entry", "[apps]")
+{
+  const ScratchFolder folder;
+  for (const std::vector<std::string> &words :
+       {std::vector<std::string>{"describe", "strain", "gauge"}, std::vector<std::string>{"describe", "gauge strain"}})
+    {
+      const Outcome gauge = run(folder.path(), words);
+      REQUIRE(gauge.status == 0);
+      CHECK_THAT(gauge.out, Contains("set Gauge length ="));
+    }
+}
+
 TEST_CASE("describe says in a sentence what does not exist, and does not guess", "[apps]")
 {
   const ScratchFolder folder;

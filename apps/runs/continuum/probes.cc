@@ -97,6 +97,8 @@ namespace apps
   void ContinuumProbes<dim>::watch_histories()
   {
     using Quantity = fem::PointQuantity;
+    if (solid.linear()) // has none
+      return;
     for (const auto &group : solid.groups())
       for (const Quantity &of : group.second->quantities())
         if (of.shown == Quantity::Shown::counted && std::find(counted.begin(), counted.end(), of.name) == counted.end())
