@@ -93,7 +93,7 @@ namespace apps
 
     void write_results(const std::filesystem::path &folder, const postprocess::CsvTable &) override
     {
-      warn_of_missing("curve.png", report(0).draw_curve(folder / "curve.png"));
+      on_first_rank([&] { warn_of_missing("curve.png", report(0).draw_curve(folder / "curve.png")); });
     }
 
     void make_test()

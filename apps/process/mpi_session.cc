@@ -180,14 +180,6 @@ namespace apps
       compare(std::string(what) + ", " + std::to_string(size));
   }
 
-  void take_from_first_rank(base::Column &numbers)
-  {
-    meet("take from the first rank");
-    const auto all =
-      dealii::Utilities::MPI::broadcast(MPI_COMM_WORLD, std::vector<double>(numbers.begin(), numbers.end()));
-    numbers.assign(all.begin(), all.end());
-  }
-
   void take_from_first_rank(std::string &text)
   {
     meet("take a text from the first rank");

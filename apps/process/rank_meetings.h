@@ -1,8 +1,5 @@
 #pragma once
 
-#include "apps/process/mpi_session.h"
-#include "base/flat_state.h"
-
 #include <cstddef>
 #include <functional>
 #include <string>
@@ -16,24 +13,7 @@ namespace apps
    */
   void meet(const char *what, std::size_t size = 0);
 
-  /** Let all ranks have the numbers of the first. */
-  void take_from_first_rank(base::Column &numbers);
-
-  /** The same of all that something visits as its state. */
-  template <typename Thing>
-  void take_state_from_first_rank(Thing &thing)
-  {
-    if (rank_count() == 1)
-      return;
-    base::Column          state;
-    base::FlatStateWriter writer(state);
-    thing.visit_state(writer);
-    take_from_first_rank(state);
-    base::FlatStateReader reader(state);
-    thing.visit_state(reader);
-  }
-
-  /** The same of a text. */
+  /** Let all ranks have a text of the first. */
   void take_from_first_rank(std::string &text);
 
   /**

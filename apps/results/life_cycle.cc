@@ -8,7 +8,6 @@
 #include "base/errors.h"
 #include "dem/specimen/observation.h"
 #include "dem/specimen/rank_shares.h"
-#include "dem/specimen/read_by_first.h"
 
 #include <fmt/format.h>
 
@@ -296,10 +295,7 @@ namespace apps
       append_shares(found.summary, *found.specimen);
     if (keeps_files())
       {
-        std::optional<dem::ReadByFirst> reading;
-        if (found.specimen)
-          reading.emplace(*found.specimen);
-        by_those_who_write([&] { work.write_results(location, result.series); });
+        work.write_results(location, result.series);
         on_first_rank([&] { files->publish(found.summary); });
       }
     result.summary  = std::move(found.summary);

@@ -57,7 +57,7 @@ namespace apps
     virtual ~RunWork() = default;
 
     /**
-     * Whether every rank has all of the state, not a part of it. Then the first alone keeps files and writes results, a checkpoint says nothing of
+     * Whether every rank has all of the state, not a part of it, or can be told of it. Then the first alone keeps files, a checkpoint says nothing of
      * ranks, and any number of them can go on from it.
      */
     virtual bool whole_on_each_rank() const { return false; }
@@ -97,7 +97,10 @@ namespace apps
     /** The run is complete: what it found. @param series all rows, on the first rank @param wall_seconds that it took */
     virtual RunFindings findings(const postprocess::CsvTable &series, double wall_seconds) = 0;
 
-    /** After it: figures, states and tables of the end into the folder. The summary is written by the life-cycle. */
+    /**
+     * After it: figures, states and tables of the end into the folder. The summary is written by the life-cycle. Of what every rank has, the first
+     * alone writes (on_first_rank()).
+     */
     virtual void write_results(const std::filesystem::path &folder, const postprocess::CsvTable &series) = 0;
   };
 

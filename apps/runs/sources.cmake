@@ -176,6 +176,7 @@ set(runs_sources
   specimens/rank_shares.cc
   results/result_difference.cc
   runs/structure/weight_path.cc
+  specimens/written_state.cc
 )
 
 set(runs_solids_sources

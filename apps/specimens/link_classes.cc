@@ -1,5 +1,7 @@
 #include "apps/specimens/link_classes.h"
 
+#include "dem/specimen/told_to_first.h"
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -35,45 +37,45 @@ namespace apps
     return all;
   }
 
-  double *LinkClasses::row_of(base::Column &figures, const std::int32_t pair) const
+  double *LinkClasses::row_of(double *const figures, const std::int32_t pair) const
   {
-    return &figures[figures_of_one * of_pair.at(static_cast<std::size_t>(pair))];
+    return figures + figures_of_one * of_pair.at(static_cast<std::size_t>(pair));
   }
 
-  base::Column LinkClasses::counted(const dem::LinkOutput &links) const
+  void LinkClasses::count(double *const figures, const dem::LinkOutput &links) const
   {
-    base::Column found(names.size() * figures_of_one, 0.0);
     for (std::size_t l = 0; l < links.pair.size(); ++l)
       if (links.kind[l] != dem::LinkOutput::contact)
         {
-          double *row = row_of(found, links.pair[l]);
+          double *row = row_of(figures, links.pair[l]);
           row[0] += 1;
           row[1] += links.kind[l] == dem::LinkOutput::broken ? 1 : 0;
           row[2] += links.damage[l];
           row[3] += links.dissipated[l];
         }
-    return found;
   }
 
   base::Column LinkClasses::figures(const dem::ObservedSpecimen &specimen) const
   {
     if (names.empty())
       return {};
-    base::Column found = counted(specimen.links());
+    std::vector<double> found(names.size() * figures_of_one, 0.0);
+    dem::add_up_links(specimen, found, [&](const dem::LinkOutput &some) { count(found.data(), some); });
     for (const dem::Break &event : specimen.breaks())
       if (event.surface < 0) // bonds to surfaces are no links between materials
-        row_of(found, event.pair)[4] += event.area;
-    return found;
+        row_of(found.data(), event.pair)[4] += event.area;
+    return {found.begin(), found.end()};
   }
 
   base::Column LinkClasses::figures(const dem::LinkOutput &links, const dem::ElasticNetwork &network) const
   {
     if (names.empty())
       return {};
-    base::Column found = counted(links);
+    base::Column found(names.size() * figures_of_one, 0.0);
+    count(found.data(), links);
     for (std::size_t l = 0; l < links.pair.size(); ++l)
       if (links.kind[l] == dem::LinkOutput::broken)
-        row_of(found, links.pair[l])[4] += network.links.at(l).area;
+        row_of(found.data(), links.pair[l])[4] += network.links.at(l).area;
     return found;
   }
 

@@ -27,7 +27,7 @@ namespace apps
     std::vector<std::int32_t> of_links(const dem::LinkOutput &links) const;
 
     static constexpr std::size_t figures_of_one = 5; ///< made, broken, sum of damage, energy [J], area [m^2]
-    /** Of a specimen as it is: a row of figures for each class. Nothing where there is one material. */
+    /** Of a specimen as it is: a row of figures for each class. Nothing where there is one material. All ranks call this and learn it. */
     base::Column figures(const dem::ObservedSpecimen &specimen) const;
     /** Of links without a log of what broke. @param network that they are of, one by one */
     base::Column figures(const dem::LinkOutput &links, const dem::ElasticNetwork &network) const;
@@ -38,8 +38,9 @@ namespace apps
     std::string text(const base::Column &figures) const;
 
   private:
-    double      *row_of(base::Column &figures, std::int32_t pair) const;
-    base::Column counted(const dem::LinkOutput &links) const; ///< but for areas
+    double *row_of(double *figures, std::int32_t pair) const;
+    /** Add links to figures, but for areas. */
+    void count(double *figures, const dem::LinkOutput &links) const;
 
     std::vector<std::string> names;
     std::vector<std::size_t> of_pair; ///< class of each pair of materials

@@ -5,6 +5,8 @@
 
 namespace dem
 {
+  class ObservedSpecimen;
+
   /** What a reader of a picture takes for broken. */
   struct Crack
   {
@@ -27,4 +29,6 @@ namespace dem
    * its direction; a crushed band counts as many cracks.
    */
   Crack measure_crack(const ParticleOutput &particles, const LinkOutput &links, const ParticleShape &shape);
+  /** Of a specimen as it is. All of the ranks that share it call this and learn it; none has all links for it. */
+  Crack measure_crack(const ObservedSpecimen &specimen);
 } // namespace dem

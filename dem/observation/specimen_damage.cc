@@ -2,6 +2,11 @@
 
 namespace dem
 {
+  LinkDamage damage_of(const LinkOutput &links, const std::size_t l)
+  {
+    return {links.load[l].branch.normalized(), links.strength_damage[l]};
+  }
+
   CohesiveDamage cohesive_damage(const LinkOutput &links)
   {
     CohesiveDamage result;
@@ -9,7 +14,7 @@ namespace dem
       if (links.kind[l] != LinkOutput::contact)
         {
           result.ends.push_back(links.ends[l]);
-          result.links.push_back({links.load[l].branch.normalized(), links.strength_damage[l]});
+          result.links.push_back(damage_of(links, l));
           result.contact.push_back(links.load[l].contact);
         }
     return result;

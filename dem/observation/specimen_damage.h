@@ -15,6 +15,9 @@ namespace dem
       contact; ///< where each link's force acts, or last acted [m]: to choose those of a region
   };
 
+  /** Of a link of a specimen. */
+  LinkDamage damage_of(const LinkOutput &links, std::size_t l);
+
   /** Contacts, which never had strength to lose, are left out (doc/theory/sequential-transfer.md, 1). */
   CohesiveDamage cohesive_damage(const LinkOutput &links);
 } // namespace dem

@@ -110,6 +110,14 @@ namespace dem
     void walk_without_order(const LinkSet &links, ExactSum &sum, const std::function<void(const LinkRange &)> &part);
     /** The same for the particles. @param part called with the first and behind the last */
     void walk_particles(double *numbers, std::size_t count, const std::function<void(std::size_t, std::size_t)> &part);
+    /** Whether this is the first of several ranks, or the only one. */
+    bool is_first() const { return !shared || shared->is_first(); }
+    /** The first rank takes, in the order of all lines of bonds or contacts, what each rank says of its own. */
+    void tell_first(const LinkSet &links, const SharedWork::Tell &tell, const SharedWork::Take &take);
+    /** The same of particles. */
+    void tell_first_of_particles(const SharedWork::Tell &tell, const SharedWork::Take &take);
+    /** Before the first rank reads where all of them are. */
+    void give_places_to_first();
     /** What blocks of links have summed up. */
     void gather_accounts();
     /** Whether this process has the state of all links of a set, or of both: then it reads without the others. */

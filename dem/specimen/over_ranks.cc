@@ -1,6 +1,7 @@
 // What a specimen does otherwise where other ranks share its work (doc/theory/ranks.md, 3).
 
 #include "dem/specimen/core.h"
+#include "dem/specimen/few_lines.h"
 
 #include <algorithm>
 #include <limits>
@@ -71,6 +72,43 @@ namespace dem
       shared->relay_particles(part, numbers, count);
     else
       part(0, particles.count);
+  }
+
+  namespace
+  {
+    /** Where the first rank has all of it. */
+    void tell_itself(const std::size_t count, const SharedWork::Tell &tell, const SharedWork::Take &take)
+    {
+      each_few_lines(0, count, [&](const std::size_t begin, const std::size_t end) {
+        std::vector<double> numbers;
+        tell(begin, end, numbers);
+        take(numbers);
+      });
+    }
+  } // namespace
+
+  void SpecimenCore::tell_first(const LinkSet &links, const SharedWork::Tell &tell, const SharedWork::Take &take)
+  {
+    if (!has_all(links))
+      return &links == &bonds ? shared->tell_first_of_bonds(bonds, tell, take) :
+                                shared->tell_first_of_contacts(contacts, tell, take);
+    gather_places(); // they may have moved since
+    if (is_first())
+      tell_itself(links.count, tell, take);
+  }
+
+  void SpecimenCore::tell_first_of_particles(const SharedWork::Tell &tell, const SharedWork::Take &take)
+  {
+    if (!has_all_links())
+      return shared->tell_first_of_particles(tell, take);
+    if (is_first())
+      tell_itself(particles.count, tell, take);
+  }
+
+  void SpecimenCore::give_places_to_first()
+  {
+    if (shares())
+      shared->give_places_to_first(particles);
   }
 
   void SpecimenCore::gather_accounts()

@@ -2,6 +2,7 @@
 
 #include "dem/core/memory_pages.h"
 #include "dem/model/column_memory.h"
+#include "dem/specimen/few_lines.h"
 #include "dem/specimen/shared_work.h"
 
 #include <algorithm>
@@ -296,13 +297,20 @@ namespace dem
       return;
     if (!links.in_parts)
       return use(0, links.count); // all have all of it
+    for (const std::vector<std::size_t> &begin : lines_of_ranks(links, share))
+      relay(begin, use, numbers, count);
+  }
+
+  std::vector<std::vector<std::size_t>> SharedWork::lines_of_ranks(const LinkSet &links, const SetShare &share)
+  {
+    std::vector<std::vector<std::size_t>> all;
     for (const std::vector<std::size_t> &blocks : share.block_begin)
       {
-        std::vector<std::size_t> begin;
+        std::vector<std::size_t> &begin = all.emplace_back();
         for (const std::size_t block : blocks)
           begin.push_back(std::min(block * links_per_block, links.count));
-        relay(begin, use, numbers, count);
       }
+    return all;
   }
 
   void SharedWork::relay_bonds(const LinkSet &bonds, const OfLines &use, double *numbers, const std::size_t count)
@@ -331,6 +339,77 @@ namespace dem
     sum = {};
     for (const ExactSum &each : of)
       sum.add(each);
+  }
+
+  // --- Part by part, for the first rank ---
+
+  void SharedWork::send_to_first(const std::size_t from, std::vector<double> &numbers)
+  {
+    if (from == 0)
+      return;
+    const auto send = [&](std::vector<double> &part) {
+      std::vector<RankMessage> from_here, at_first;
+      if (rank() == from)
+        {
+          bytes += static_cast<std::int64_t>(sizeof(double) * part.size());
+          ++messages;
+          from_here.push_back({0, std::move(part)});
+        }
+      if (rank() == 0)
+        at_first.push_back({from, std::move(part)});
+      ranks->exchange(from_here, at_first);
+      if (rank() == 0)
+        part = std::move(at_first.front().numbers);
+    };
+    std::vector<double> length = {static_cast<double>(numbers.size())};
+    send(length);
+    if (rank() == 0)
+      numbers.resize(static_cast<std::size_t>(length.front()));
+    send(numbers);
+  }
+
+  void SharedWork::tell_first(const std::vector<std::size_t> &begin, const Tell &tell, const Take &take)
+  {
+    for (std::size_t r = 0; r < size(); ++r)
+      each_few_lines(begin[r], begin[r + 1], [&](const std::size_t from, const std::size_t to) {
+        std::vector<double> numbers;
+        if (rank() == r)
+          tell(from, to, numbers);
+        send_to_first(r, numbers);
+        if (is_first())
+          take(numbers);
+      });
+  }
+
+  void SharedWork::tell_first_of_lines(const LinkSet &links, const SetShare &share, const Tell &tell, const Take &take)
+  {
+    if (links.count > 0)
+      for (const std::vector<std::size_t> &begin : lines_of_ranks(links, share))
+        tell_first(begin, tell, take);
+  }
+
+  void SharedWork::tell_first_of_bonds(const LinkSet &bonds, const Tell &tell, const Take &take)
+  {
+    tell_first_of_lines(bonds, of_bonds, tell, take);
+  }
+
+  void SharedWork::tell_first_of_contacts(const LinkSet &contacts, const Tell &tell, const Take &take)
+  {
+    tell_first_of_lines(contacts, of_contacts, tell, take);
+  }
+
+  void SharedWork::tell_first_of_particles(const Tell &tell, const Take &take)
+  {
+    tell_first({particle_begin.begin(), particle_begin.end()}, tell, take);
+  }
+
+  void SharedWork::give_places_to_first(Particles &particles)
+  {
+    if (!lacks_places())
+      return;
+    to_first = true;
+    gather_column(particles.pose);
+    to_first = false;
   }
 
   // --- One column of it ---

@@ -105,6 +105,16 @@ namespace dem
     void relay_particles(const OfLines &use, double *numbers, std::size_t count);
     /** Of what each rank has added up, the sum. */
     void add_up(ExactSum &sum);
+    /** What a rank says of some lines, and how the first takes what is said, in the order of lines. */
+    using Tell = std::function<void(std::size_t begin, std::size_t end, std::vector<double> &numbers)>;
+    using Take = std::function<void(const std::vector<double> &numbers)>;
+    /** Let each rank tell the first of its lines of a set, few at a time, so that none has more of others than these. */
+    void tell_first_of_bonds(const LinkSet &bonds, const Tell &tell, const Take &take);
+    void tell_first_of_contacts(const LinkSet &contacts, const Tell &tell, const Take &take);
+    void tell_first_of_particles(const Tell &tell, const Take &take);
+    /** Let the first rank alone know where particles are, until the next step; for the others they stay where they knew them last. */
+    void give_places_to_first(Particles &particles);
+    bool is_first() const { return rank() == 0; }
     /** One column of a set, or of particles' records, while something reads all of it. */
     void with_column_of_bonds(base::Column &column, LinkSet &bonds, const std::function<void()> &read);
     void with_column_of_contacts(base::Column &column, LinkSet &contacts, const std::function<void()> &read);
@@ -135,6 +145,12 @@ namespace dem
     void relay(const std::vector<std::size_t> &begin, const OfLines &use, double *numbers, std::size_t count);
     void
     relay_lines(const LinkSet &links, const SetShare &share, const OfLines &use, double *numbers, std::size_t count);
+    void tell_first(const std::vector<std::size_t> &begin, const Tell &tell, const Take &take);
+    void tell_first_of_lines(const LinkSet &links, const SetShare &share, const Tell &tell, const Take &take);
+    /** Numbers of one rank to the first, which does not know how many. */
+    void send_to_first(std::size_t from, std::vector<double> &numbers);
+    /** Lines of a set before those of each rank, and behind the last's, of each law. */
+    static std::vector<std::vector<std::size_t>> lines_of_ranks(const LinkSet &links, const SetShare &share);
     void
     with_column(base::Column &column, const LinkSet &links, const SetShare &share, const std::function<void()> &read);
     /** Give back the memory of what others have, unless it is read again and again. */

@@ -60,15 +60,26 @@ namespace dem
 
   LinkEffects effects_of_links(const SpecimenCore &core, const ShownParticles &shown, const bool in_parts)
   {
-    LinkEffects effects{std::vector<Eigen::Matrix3d>(shown.size(), Eigen::Matrix3d::Zero()),
-                        std::vector<double>(shown.size(), 0.0)};
+    return {moments_of_links(core, shown, in_parts), damage_of_links(core, shown, in_parts)};
+  }
+
+  std::vector<Eigen::Matrix3d>
+  moments_of_links(const SpecimenCore &core, const ShownParticles &shown, const bool in_parts)
+  {
+    std::vector<Eigen::Matrix3d> moments(shown.size(), Eigen::Matrix3d::Zero());
     for (const LinkSet *links : {&core.bonds, &core.contacts})
       for (const LinkRange &lines : lines_to_read(*links, in_parts))
         each_stress_moment(core.particles, *links, lines, [&](const std::size_t i, const Eigen::Matrix3d &moment) {
           if (shown.has(i))
-            effects.moments[i - shown.first] += moment;
+            moments[i - shown.first] += moment;
         });
-    LinkReader reader(core.particles, core.bonds, *core.bond_law);
+    return moments;
+  }
+
+  std::vector<double> damage_of_links(const SpecimenCore &core, const ShownParticles &shown, const bool in_parts)
+  {
+    std::vector<double> damage(shown.size(), 0.0);
+    LinkReader          reader(core.particles, core.bonds, *core.bond_law);
     for (const LinkRange &lines : lines_to_read(core.bonds, in_parts))
       each_living(core.bonds, lines, [&](const std::size_t l) {
         if (core.bonds.is_broken(l))
@@ -77,27 +88,42 @@ namespace dem
         const double lost = reader.damage().stiffness;
         for (const std::int32_t end : {core.bonds.first[l], core.bonds.second[l]})
           if (const auto i = static_cast<std::size_t>(end); shown.has(i))
-            effects.damage[i - shown.first] += lost;
+            damage[i - shown.first] += lost;
       });
-    return effects;
+    return damage;
   }
 
-  namespace
+  void
+  add_moments_of_surfaces(const SpecimenCore &core, const ShownParticles &shown, std::vector<Eigen::Matrix3d> &moments)
   {
-    void add_moments_of_surfaces(const SpecimenCore &core, const ShownParticles &shown, LinkEffects &effects)
-    {
-      const auto add = [&](const std::int32_t particle, const Eigen::Matrix3d &moment) {
-        if (const auto i = static_cast<std::size_t>(particle); shown.has(i))
-          effects.moments[i - shown.first] += moment;
-      };
-      for (const SurfaceContact &contact : core.surfaces.list())
-        add(contact.particle, contact.distance * contact.direction * contact.force.transpose());
-      for (const SurfaceBonds &glue : core.surfaces.bonds())
-        for (std::size_t bond = 0; bond < glue.count(); ++bond)
-          if (glue.is_alive(bond))
-            add(glue.particle_of(bond), glue.branch(bond) * glue.force(bond).transpose());
-    }
-  } // namespace
+    const auto add = [&](const std::int32_t particle, const Eigen::Matrix3d &moment) {
+      if (const auto i = static_cast<std::size_t>(particle); shown.has(i))
+        moments[i - shown.first] += moment;
+    };
+    for (const SurfaceContact &contact : core.surfaces.list())
+      add(contact.particle, contact.distance * contact.direction * contact.force.transpose());
+    for (const SurfaceBonds &glue : core.surfaces.bonds())
+      for (std::size_t bond = 0; bond < glue.count(); ++bond)
+        if (glue.is_alive(bond))
+          add(glue.particle_of(bond), glue.branch(bond) * glue.force(bond).transpose());
+  }
+
+  double volume_of(const SpecimenCore &core, const std::size_t i)
+  {
+    const double space = core.space_per_solid * core.particles.cell.deformation().determinant(); // 1 without a cell
+    return space * core.shape.volume(core.particles.radius_of(i));
+  }
+
+  Eigen::Matrix3d stress_of(const SpecimenCore &core, const std::size_t i, const Eigen::Matrix3d &moments)
+  {
+    const Eigen::Matrix3d moment = moments / volume_of(core, i);
+    return 0.5 * (moment + moment.transpose());
+  }
+
+  double mean_damage_of(const Particles &particles, const std::size_t i, const double damage)
+  {
+    return particles.made_links[i] > 0 ? (damage + particles.broken_links[i]) / particles.made_links[i] : 0.0;
+  }
 
   ParticleOutput particles_of(const SpecimenCore &core, const ShownParticles &shown, LinkEffects effects)
   {
@@ -105,7 +131,7 @@ namespace dem
     const std::size_t n = shown.size();
     ParticleOutput    out;
     static_cast<ParticleKinematics &>(out) = kinematics_of(core, shown);
-    add_moments_of_surfaces(core, shown, effects);
+    add_moments_of_surfaces(core, shown, effects.moments);
     out.damage.resize(n);
     out.broken_links.resize(n);
     out.volume.resize(n);
@@ -113,16 +139,13 @@ namespace dem
     out.material.resize(p.material.empty() ? 0 : n);
     for (std::size_t i = shown.first; i < shown.last; ++i)
       {
-        const std::size_t     to = place_of(shown, p, i), at = i - shown.first;
-        const double          space  = core.space_per_solid * p.cell.deformation().determinant(); // 1 without a cell
-        const double          volume = space * core.shape.volume(p.radius_of(i));
-        const Eigen::Matrix3d moment = effects.moments[at] / volume;
-        out.damage[to]       = p.made_links[i] > 0 ? (effects.damage[at] + p.broken_links[i]) / p.made_links[i] : 0.0;
+        const std::size_t to = place_of(shown, p, i), at = i - shown.first;
+        out.damage[to]       = mean_damage_of(p, i, effects.damage[at]);
         out.broken_links[to] = p.broken_links[i];
         if (!p.material.empty())
           out.material[to] = p.material[i];
-        out.volume[to] = volume;
-        out.stress[to] = 0.5 * (moment + moment.transpose());
+        out.volume[to] = volume_of(core, i);
+        out.stress[to] = stress_of(core, i, effects.moments[at]);
       }
     return out;
   }
@@ -163,45 +186,83 @@ namespace dem
         out.history[shown].push_back(0.0);
     }
 
-    /** Those that begin at particles that are shown. @param before lines of links before these */
-    void append(ShownLinks           &out,
-                const Particles      &particles,
+    /** No links, and a column for each quantity that the law of the bonds shows. */
+    LinkOutput without_links(const SpecimenCore &core)
+    {
+      LinkOutput out;
+      for (const LinkQuantity &quantity : core.bond_law->columns())
+        if (quantity.shown && core.bond_law->bonds())
+          out.quantities.push_back(quantity);
+      out.history.resize(out.quantities.size());
+      return out;
+    }
+
+    const LinkLaw &law_of(const SpecimenCore &core, const LinkSet &links)
+    {
+      return &links == &core.bonds ? *core.bond_law : *core.contact_law;
+    }
+
+    /** Of some lines those that begin at particles that are shown; calls took(line) for each that is. */
+    template <typename Took>
+    void append(LinkOutput           &out,
+                const SpecimenCore   &core,
                 const ShownParticles &shown,
                 const LinkSet        &links,
-                const LinkLaw        &law,
-                const bool            in_parts,
-                const std::size_t     before)
+                const LinkRange      &lines,
+                const Took           &took)
     {
-      LinkReader reader(particles, links, law);
-      for (const LinkRange &lines : lines_to_read(links, in_parts))
-        each_living(links, lines, [&](const std::size_t l) {
-          if (!shown.has(static_cast<std::size_t>(links.first[l])))
-            return;
-          reader.read(l);
-          if (law.waits() && reader.phase() == LinkPhase::apart)
-            return;
-          append_line(out.links, particles, links, law, reader, l);
-          out.line.push_back(static_cast<std::int64_t>(before + l));
-        });
+      const LinkLaw &law = law_of(core, links);
+      LinkReader     reader(core.particles, links, law);
+      each_living(links, lines, [&](const std::size_t l) {
+        if (!shown.has(static_cast<std::size_t>(links.first[l])))
+          return;
+        reader.read(l);
+        if (law.waits() && reader.phase() == LinkPhase::apart)
+          return;
+        append_line(out, core.particles, links, law, reader, l);
+        took(l);
+      });
     }
   } // namespace
 
+  LinkOutput links_among(const SpecimenCore &core, const LinkSet &links, const LinkRange &lines)
+  {
+    LinkOutput out = without_links(core);
+    append(out, core, all_of(core.particles), links, lines, [](std::size_t) {});
+    return out;
+  }
+
+  LinkOutput broken_links(const SpecimenCore &core)
+  {
+    LinkOutput out = without_links(core);
+    core.cracks.append(out, core.particles, core.bond_law->several());
+    return out;
+  }
+
+  GlueOutput glue_of(const SpecimenCore &core)
+  {
+    GlueOutput out;
+    for (const SurfaceBonds &glue : core.surfaces.bonds())
+      glue.show(out, core.particles, core.surfaces.surfaces()[static_cast<std::size_t>(glue.surface())]);
+    return out;
+  }
+
   ShownLinks links_of(const SpecimenCore &core, const ShownParticles &shown, const bool in_parts)
   {
-    ShownLinks out;
-    for (const LinkQuantity &quantity : core.bond_law->columns())
-      if (quantity.shown && core.bond_law->bonds())
-        out.links.quantities.push_back(quantity);
-    out.links.history.resize(out.links.quantities.size());
-    append(out, core.particles, shown, core.bonds, *core.bond_law, in_parts, 0);
-    append(out, core.particles, shown, core.contacts, *core.contact_law, in_parts, core.bonds.count);
+    ShownLinks  out{without_links(core), {}};
+    std::size_t before = 0;
+    for (const LinkSet *links : {&core.bonds, &core.contacts})
+      {
+        for (const LinkRange &lines : lines_to_read(*links, in_parts))
+          append(out.links, core, shown, *links, lines,
+                 [&](const std::size_t l) { out.line.push_back(static_cast<std::int64_t>(before + l)); });
+        before += links->count;
+      }
     core.cracks.append(out.links, core.particles, core.bond_law->several());
-    for (const SurfaceBonds &glue : core.surfaces.bonds())
-      glue.show(out.links.glue, core.particles, core.surfaces.surfaces()[static_cast<std::size_t>(glue.surface())]);
+    out.links.glue         = glue_of(core);
     const std::size_t read = out.line.size();
     out.line.resize(out.links.ends.size() + out.links.glue.particle.size());
-    std::iota(out.line.begin() + static_cast<std::ptrdiff_t>(read), out.line.end(),
-              static_cast<std::int64_t>(core.bonds.count + core.contacts.count));
+    std::iota(out.line.begin() + static_cast<std::ptrdiff_t>(read), out.line.end(), static_cast<std::int64_t>(before));
     return out;
   }
 } // namespace dem

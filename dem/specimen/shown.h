@@ -1,5 +1,6 @@
 #pragma once
 
+#include "dem/model/held_lines.h"
 #include "dem/specimen/results.h"
 
 #include <Eigen/Core>
@@ -41,9 +42,26 @@ namespace dem
 
   /** @param in_parts read the links that this rank updates, which are all of its own particles */
   LinkEffects effects_of_links(const SpecimenCore &core, const ShownParticles &shown, bool in_parts);
+  /** One of them. */
+  std::vector<Eigen::Matrix3d> moments_of_links(const SpecimenCore &core, const ShownParticles &shown, bool in_parts);
+  std::vector<double>          damage_of_links(const SpecimenCore &core, const ShownParticles &shown, bool in_parts);
+  /** What surfaces and glue do, to be added to the first. */
+  void
+  add_moments_of_surfaces(const SpecimenCore &core, const ShownParticles &shown, std::vector<Eigen::Matrix3d> &moments);
 
   /** All of them. @pre as of kinematics_of() @param effects of links */
   ParticleOutput particles_of(const SpecimenCore &core, const ShownParticles &shown, LinkEffects effects);
+
+  /** Of a particle, by its place in the particles' order: its share of the specimen's volume [m^3], and the stress of its moments [Pa]. */
+  double          volume_of(const SpecimenCore &core, std::size_t i);
+  Eigen::Matrix3d stress_of(const SpecimenCore &core, std::size_t i, const Eigen::Matrix3d &moments);
+  /** Mean damage of the links that it was made with. @param damage of those that are there, added up */
+  double mean_damage_of(const Particles &particles, std::size_t i, double damage);
+
+  /** Some lines of a set; what has broken; glue to surfaces: as links_of() shows them. */
+  LinkOutput links_among(const SpecimenCore &core, const LinkSet &links, const LinkRange &lines);
+  LinkOutput broken_links(const SpecimenCore &core);
+  GlueOutput glue_of(const SpecimenCore &core);
 
   /** Links, contacts, and what has broken or is glued, with the lines of links: see RankOutput. */
   struct ShownLinks

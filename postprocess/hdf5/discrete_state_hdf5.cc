@@ -1,7 +1,8 @@
 #include "postprocess/hdf5/discrete_state_hdf5.h"
 
 #include "base/errors.h"
-#include "postprocess/hdf5/hdf5_file.h"
+
+#include <stdexcept>
 
 namespace postprocess
 {
@@ -44,42 +45,42 @@ namespace postprocess
       return vectors;
     }
 
-    void write_vectors(hdf5::OutputFile &file, const std::string &name, const std::vector<Eigen::Vector3d> &vectors)
+    const char *name_of(const dem::StateColumn column)
     {
-      file.write(name, vectors.empty() ? nullptr : vectors.front().data(), {vectors.size(), 3});
-    }
-
-    void write_particles(hdf5::OutputFile &file, const dem::DiscreteState &state)
-    {
-      std::vector<double> stress;
-      for (const Eigen::Matrix3d &s : state.stress)
-        for (const auto &[i, j] : voigt)
-          stress.push_back(s(i, j));
-      write_vectors(file, "particles/reference", state.reference);
-      write_vectors(file, "particles/position", state.position);
-      file.write("particles/radius", state.radius.data(), {state.size()});
-      file.write("particles/volume", state.volume.data(), {state.size()});
-      file.write("particles/stress", stress.data(), {state.size(), 6});
-      file.write("particles/held", state.held.data(), {state.size()});
-    }
-
-    void write_links(hdf5::OutputFile &file, const dem::CohesiveDamage &damage)
-    {
-      std::vector<std::int64_t>    ends;
-      std::vector<Eigen::Vector3d> direction;
-      std::vector<double>          lost;
-      for (const auto &pair : damage.ends)
-        for (const std::size_t end : pair)
-          ends.push_back(static_cast<std::int64_t>(end));
-      for (const dem::LinkDamage &link : damage.links)
+      switch (column)
         {
-          direction.push_back(link.direction);
-          lost.push_back(link.damage);
+        case dem::StateColumn::reference:
+          return "particles/reference";
+        case dem::StateColumn::position:
+          return "particles/position";
+        case dem::StateColumn::radius:
+          return "particles/radius";
+        case dem::StateColumn::volume:
+          return "particles/volume";
+        case dem::StateColumn::stress:
+          return "particles/stress";
+        case dem::StateColumn::held:
+          return "particles/held";
+        case dem::StateColumn::ends:
+          return "links/ends";
+        case dem::StateColumn::direction:
+          return "links/direction";
+        case dem::StateColumn::strength_damage:
+          return "links/strength_damage";
+        case dem::StateColumn::contact:
+          return "links/contact";
         }
-      file.write("links/ends", ends.data(), {damage.ends.size(), 2});
-      write_vectors(file, "links/direction", direction);
-      file.write("links/strength_damage", lost.data(), {lost.size()});
-      write_vectors(file, "links/contact", damage.contact);
+      throw std::logic_error("no column of a discrete state");
+    }
+
+    template <typename Number>
+    void write_whole_numbers(hdf5::OutputFile          &file,
+                             const char                *name,
+                             const std::vector<double> &numbers,
+                             const hdf5::Shape         &shape)
+    {
+      const std::vector<Number> whole(numbers.begin(), numbers.end());
+      file.write(name, whole.data(), shape);
     }
 
     void read_particles(const hdf5::InputFile &file, const std::string &origin, dem::DiscreteState &state)
@@ -114,17 +115,36 @@ namespace postprocess
     }
   } // namespace
 
-  void write_discrete_state(const dem::DiscreteState &state, const std::filesystem::path &path)
+  DiscreteStateFile::DiscreteStateFile(const std::filesystem::path &path, const int dimension, const double time)
+    : file(path)
   {
-    hdf5::OutputFile   file(path);
-    const std::int64_t dimension = state.dimension;
+    const std::int64_t in_space = dimension;
     file.write_text("format", state_format);
     file.write("format_version", &state_version, {});
     file.write_text("units", "m, s, Pa");
-    file.write("dimension", &dimension, {});
-    file.write("time", &state.time, {});
-    write_particles(file, state);
-    write_links(file, state.damage);
+    file.write("dimension", &in_space, {});
+    file.write("time", &time, {});
+  }
+
+  void DiscreteStateFile::write(const dem::StateColumn column, const std::vector<double> &numbers)
+  {
+    const std::size_t of_row = dem::numbers_of_row(column);
+    hdf5::Shape       shape  = {numbers.size() / of_row};
+    if (of_row > 1)
+      shape.push_back(of_row);
+    if (column == dem::StateColumn::held)
+      write_whole_numbers<std::int32_t>(file, name_of(column), numbers, shape);
+    else if (column == dem::StateColumn::ends)
+      write_whole_numbers<std::int64_t>(file, name_of(column), numbers, shape);
+    else
+      file.write(name_of(column), numbers.data(), shape);
+  }
+
+  void write_discrete_state(const dem::DiscreteState &state, const std::filesystem::path &path)
+  {
+    DiscreteStateFile file(path, state.dimension, state.time);
+    dem::each_column(
+      state, [&](const dem::StateColumn column, const std::vector<double> &numbers) { file.write(column, numbers); });
     file.commit();
   }
 

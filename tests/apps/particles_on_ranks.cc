@@ -154,3 +154,31 @@ TEST_CASE("Where the first rank cannot write, all ranks are gone in a moment wit
   CHECK(occurrences("breccia: ", said) == 2); // the note about its faces, and this
   CHECK(occurrences("does not exist", said) == 1);
 }
+
+TEST_CASE("A beam of fewer bricks than ranks leaves the same state and pictures on ranks", "[apps][mpi][ranks]")
+{
+  if (places::skipped_without_mpirun())
+    return;
+  const ScratchFolder folder;
+  same_on_ranks(folder, run_of("bonded_beam.prm", {"Time/End time=0.01", "Output/Snapshots=0"}), {{{3, 1}}});
+  for (const char *left : {"state.h5", "packing_at_end.h5", "crack.png", "forces.png"})
+    CHECK(std::filesystem::exists(folder / "3_ranks" / left));
+}
+
+TEST_CASE("Where the first rank cannot write the state at the end, all ranks are gone in a moment with one message",
+          "[apps][mpi][ranks][slow][S14]")
+{
+  if (places::skipped_without_mpirun())
+    return;
+  const ScratchFolder folder;
+  // Another thing has its name.
+  const int status = shell_in(
+    folder, program_on(3, 1) + small_concrete() +
+              " -o results & while kill -0 $! && [ ! -e results/running/tension_links/tension_links_000000.vtp ]; "
+              "do sleep 0.01; done; mkdir results/running/tension_state.h5; wait $!");
+  const std::string said = content_of(folder / "said");
+  INFO(said);
+  CHECK(status != 0);
+  CHECK(occurrences("breccia: ", said) == 2); // the note about its faces, and this
+  CHECK(occurrences("tension_state.h5", said) == 1);
+}

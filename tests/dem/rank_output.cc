@@ -1,12 +1,10 @@
 // What each of several ranks shows of a specimen is together what one shows: doc/theory/ranks.md, 3.
 #include "dem/specimen/rank_output.h"
 
-#include "clusters.h"
 #include "dem/observation/link_images.h"
 #include "dem/specimen/read_by_first.h"
-#include "periodic_cell_fixture.h"
 #include "rank_threads.h"
-#include "shared_bodies.h"
+#include "shown_bodies.h"
 
 #include <catch2/catch.hpp>
 
@@ -19,8 +17,7 @@
 #include <utility>
 #include <vector>
 
-using namespace shared_bodies;
-using namespace weak_bonds;
+using namespace shown_bodies;
 
 namespace
 {
@@ -178,13 +175,6 @@ namespace
     return rows;
   }
 
-  struct Case
-  {
-    const char  *name;
-    Make         make;
-    std::int64_t steps;
-  };
-
   /** At the start, half way and at the end. */
   using Moments         = std::vector<Rows>;
   constexpr int moments = 3;
@@ -244,30 +234,6 @@ namespace
       CHECK(found[moment] == whole[moment]);
   }
 
-  std::unique_ptr<Body> torn_from_plate()
-  {
-    auto p             = cluster::bonded(1.2);
-    p.physics.contacts = true;
-    dem::Specimen          specimen(cluster::cubic_lattice(10, 10, 10, 1e-3), p, parallel());
-    dem::SurfaceParameters plate;
-    plate.name        = "plate";
-    plate.mesh        = dem::plate(Vector3d(-0.01, -0.01, -1e-3), Vector3d(0.05, 0, 0), Vector3d(0, 0.05, 0));
-    plate.contact     = grains::rough();
-    plate.glue.within = 1e-6;
-    specimen.surfaces().add(plate);
-    for (std::size_t i = 0; i < specimen.counts().particles; ++i)
-      specimen.set_velocity(i, Vector3d(0, 0, 20 * (i % 2 == 0 ? 1.0 : 0.1)), Vector3d::Zero());
-    return std::make_unique<Free>(std::move(specimen));
-  }
-
-  std::unique_ptr<Body> small_cell()
-  {
-    auto p             = cluster::bonded(1.5);
-    p.physics.periodic = true;
-    dem::Specimen specimen(periodic_fixture::eight_spheres(), p, cluster::concrete());
-    specimen.set_velocity_gradient(Eigen::Vector3d(30, -5, -5).asDiagonal());
-    return std::make_unique<Free>(std::move(specimen));
-  }
 } // namespace
 
 TEST_CASE("what ranks show is together what one shows, broken links and contacts among it, and nothing is sent for it",

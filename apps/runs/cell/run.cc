@@ -9,6 +9,7 @@
 #include "apps/runs/cell/report.h"
 #include "apps/specimens/specimen_packing.h"
 #include "base/voigt.h"
+#include "dem/specimen/told_to_first.h"
 #include "postprocess/pictures/specimen_picture.h"
 
 #include <fmt/format.h>
@@ -141,17 +142,17 @@ namespace apps
       snapshots.take(*specimen);
   }
 
-  std::string CellRun::draw_crack(const std::filesystem::path &file) const
+  std::string CellRun::draw_crack(const std::filesystem::path &file,
+                                  const dem::ParticleOutput   &particles,
+                                  const dem::LinkOutput       &links) const
   {
-    const dem::ParticleOutput state  = specimen->particles();
-    const dem::LinkOutput     joined = specimen->links();
-    postprocess::PictureSlab  slab;
+    postprocess::PictureSlab slab;
     slab.axis      = model.physics.dimension == 2 ? 2 : 1;
     slab.materials = packing.material_names;
     if (model.mix.given())
       slab.classes = model.mixed().link_classes(packing.material_names);
-    slab.images = dem::link_images(*specimen, joined, state);
-    return postprocess::picture_of_specimen(file, state, joined, "Periodic cell at the end of its path", slab);
+    slab.images = dem::link_images(*specimen, links, particles);
+    return postprocess::picture_of_specimen(file, particles, links, "Periodic cell at the end of its path", slab);
   }
 
   CellReport CellRun::report(const double wall_seconds) const
@@ -167,9 +168,14 @@ namespace apps
 
   void CellRun::write_results(const std::filesystem::path &folder, const postprocess::CsvTable &)
   {
-    warn_of_missing("curve.png", report(0).draw_curve(folder / "curve.png"));
-    warn_of_missing("cell_crack.png", draw_crack(folder / "cell_crack.png"));
-    warn_of_missing("grading.png", model.mixed().draw_grading(folder, packing.periodic_cell));
+    const CellReport          found     = report(0);
+    const dem::ParticleOutput particles = dem::particles_for_first(*specimen);
+    const dem::LinkOutput     damaged   = dem::damaged_links_for_first(*specimen);
+    on_first_rank([&] {
+      warn_of_missing("curve.png", found.draw_curve(folder / "curve.png"));
+      warn_of_missing("cell_crack.png", draw_crack(folder / "cell_crack.png", particles, damaged));
+      warn_of_missing("grading.png", model.mixed().draw_grading(folder, packing.periodic_cell));
+    });
   }
 
   RunResult run(const CellModel &model, const RunRequest &request)

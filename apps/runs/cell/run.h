@@ -51,7 +51,9 @@ namespace apps
     void      make_test();
     SeriesRow row();
     /** @return what went wrong, "" if nothing */
-    std::string draw_crack(const std::filesystem::path &file) const;
+    std::string draw_crack(const std::filesystem::path &file,
+                           const dem::ParticleOutput   &particles,
+                           const dem::LinkOutput       &links) const;
 
     CellReport report(double wall_seconds) const;
 

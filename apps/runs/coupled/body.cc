@@ -187,17 +187,23 @@ namespace apps
         return apps::draw_damage(*solid, motion->displacement(), file, title);
       }
 
-      std::string draw(const std::filesystem::path &file, const std::string &title) const override
+      std::string draw(const std::filesystem::path &file,
+                       const std::string           &title,
+                       const dem::ParticleOutput   &particles) const override
       {
-        return draw_solid_and_particles(*solid, motion->displacement(), body.specimen().particles(), file, title);
+        return draw_solid_and_particles(*solid, motion->displacement(), particles, file, title);
       }
 
-      std::string draw_cracks(const std::filesystem::path &file, const std::string &title) const override
+      std::string draw_cracks(const std::filesystem::path &file,
+                              const std::string           &title,
+                              const dem::ParticleOutput   &particles,
+                              const dem::LinkOutput       &links) const override
       {
-        return draw_cracks_in_solid(*solid, motion->displacement(), body.specimen(), material_names,
-                                    model.particles.mix.given() ? body.link_classes().of_pairs() :
-                                                                  std::vector<std::string>(),
-                                    file, fmt::format("{} at {:.3g} s", title, time()));
+        return draw_cracks_in_solid(
+          *solid, motion->displacement(),
+          {particles, links, material_names,
+           model.particles.mix.given() ? body.link_classes().of_pairs() : std::vector<std::string>()},
+          file, fmt::format("{} at {:.3g} s", title, time()));
       }
 
       void visit_state(RunState &state) override

@@ -94,11 +94,18 @@ namespace apps
     /** Draw the damage of the solid, where its materials can be damaged. @return as draw() */
     virtual std::string draw_damage(const std::filesystem::path &file, const std::string &title) = 0;
 
-    /** Draw a cut through both, as they are now. @return what went wrong, "" if nothing */
-    virtual std::string draw(const std::filesystem::path &file, const std::string &title) const = 0;
+    /** Draw a cut through both, as they are now. @param particles of the specimen @return what went wrong, "" if nothing */
+    virtual std::string
+    draw(const std::filesystem::path &file, const std::string &title, const dem::ParticleOutput &particles) const = 0;
 
-    /** Draw a slab of bonded particles coloured by damage, and their cracks, with the solid beside; displacements magnified. @return as draw() */
-    virtual std::string draw_cracks(const std::filesystem::path &file, const std::string &title) const = 0;
+    /**
+     * Draw a slab of bonded particles coloured by damage, and their cracks, with the solid beside; displacements magnified.
+     * @param links of the specimen that are damaged @return as draw()
+     */
+    virtual std::string draw_cracks(const std::filesystem::path &file,
+                                    const std::string           &title,
+                                    const dem::ParticleOutput   &particles,
+                                    const dem::LinkOutput       &links) const = 0;
 
     /** A reader must have been made from the same model and packing. */
     virtual void visit_state(RunState &state) = 0;

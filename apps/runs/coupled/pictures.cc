@@ -55,19 +55,16 @@ namespace apps
   }
 
   template <int dim>
-  std::string draw_cracks_in_solid(const fem::Solid<dim>          &solid,
-                                   const fem::Vector              &displacement,
-                                   const dem::ObservedSpecimen    &specimen,
-                                   const std::vector<std::string> &material_names,
-                                   const std::vector<std::string> &link_classes,
-                                   const std::filesystem::path    &file,
-                                   const std::string              &title)
+  std::string draw_cracks_in_solid(const fem::Solid<dim>       &solid,
+                                   const fem::Vector           &displacement,
+                                   const DrawnCracks           &cracks,
+                                   const std::filesystem::path &file,
+                                   const std::string           &title)
   {
-    const dem::ParticleOutput particles = specimen.particles();
-    postprocess::PictureSlab  slab;
-    slab.magnify         = magnification(particles);
-    slab.materials       = material_names;
-    slab.classes         = link_classes;
+    postprocess::PictureSlab slab;
+    slab.magnify         = magnification(cracks.particles);
+    slab.materials       = cracks.material_names;
+    slab.classes         = cracks.link_classes;
     fem::Vector enlarged = displacement;
     enlarged *= slab.magnify;
     enlarged.update_ghost_values();
@@ -79,7 +76,7 @@ namespace apps
         for (const auto &corner : facet.corner)
           corners.emplace_back(corner[0], corner[1]);
       }
-    return postprocess::picture_of_specimen(file, particles, specimen.links(),
+    return postprocess::picture_of_specimen(file, cracks.particles, cracks.links,
                                             fmt::format("{}, displacements x {}", title, slab.magnify), slab);
   }
 
@@ -87,9 +84,8 @@ namespace apps
   template std::string draw_solid_and_particles(const fem::Solid<dim> &, const fem::Vector &,                          \
                                                 const dem::ParticleOutput &, const std::filesystem::path &,            \
                                                 const std::string &);                                                  \
-  template std::string draw_cracks_in_solid(                                                                           \
-    const fem::Solid<dim> &, const fem::Vector &, const dem::ObservedSpecimen &, const std::vector<std::string> &,     \
-    const std::vector<std::string> &, const std::filesystem::path &, const std::string &);
+  template std::string draw_cracks_in_solid(const fem::Solid<dim> &, const fem::Vector &, const DrawnCracks &,         \
+                                            const std::filesystem::path &, const std::string &);
   BRECCIA_INSTANTIATE(2)
   BRECCIA_INSTANTIATE(3)
 #undef BRECCIA_INSTANTIATE

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "dem/specimen/observation.h"
+#include "dem/specimen/results.h"
 #include "fem/solid/solid.h"
 
 #include <filesystem>
@@ -20,13 +20,20 @@ namespace apps
                                        const std::filesystem::path &file,
                                        const std::string           &title);
 
+  /** Particles, and links of theirs that are damaged or broken. */
+  struct DrawnCracks
+  {
+    const dem::ParticleOutput      &particles;
+    const dem::LinkOutput          &links;
+    const std::vector<std::string> &material_names;
+    std::vector<std::string>        link_classes; ///< empty: cracks are all alike
+  };
+
   /** Particles with their cracks, and the solid's outlines, both with magnified displacements. @return likewise */
   template <int dim>
-  std::string draw_cracks_in_solid(const fem::Solid<dim>          &solid,
-                                   const fem::Vector              &displacement,
-                                   const dem::ObservedSpecimen    &specimen,
-                                   const std::vector<std::string> &material_names,
-                                   const std::vector<std::string> &link_classes, ///< empty: cracks are all alike
-                                   const std::filesystem::path    &file,
-                                   const std::string              &title);
+  std::string draw_cracks_in_solid(const fem::Solid<dim>       &solid,
+                                   const fem::Vector           &displacement,
+                                   const DrawnCracks           &cracks,
+                                   const std::filesystem::path &file,
+                                   const std::string           &title);
 } // namespace apps

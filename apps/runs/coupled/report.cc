@@ -79,11 +79,9 @@ namespace apps
   {
     const dem::ObservedSpecimen &specimen = body.particles().specimen();
     LabNotes                     found;
-    found.name    = "compression";
-    found.figures = LaboratorySection::figures(series);
-    found.crack =
-      dem::measure_crack(specimen.particles(), specimen.links(),
-                         {model.dimension(), model.particles.source.density, model.particles.source.thickness});
+    found.name         = "compression";
+    found.figures      = LaboratorySection::figures(series);
+    found.crack        = dem::measure_crack(specimen);
     found.section      = model.laboratory.area;
     found.gauge_length = model.laboratory.length;
     return found;

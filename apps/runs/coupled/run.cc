@@ -11,9 +11,9 @@
 #include "apps/runs/particles/break_results.h"
 #include "apps/specimens/left_out_of_balance.h"
 #include "apps/specimens/specimen_packing.h"
+#include "apps/specimens/written_state.h"
 #include "base/errors.h"
-#include "dem/observation/discrete_state.h"
-#include "postprocess/hdf5/discrete_state_hdf5.h"
+#include "dem/specimen/told_to_first.h"
 
 #include <fmt/format.h>
 
@@ -153,15 +153,15 @@ namespace apps
 
   RunFindings CoupledRun::findings(const postprocess::CsvTable &series, const double wall_seconds)
   {
-    const CoupledReport found{request,
-                              model,
-                              *body,
-                              materials,
-                              start,
-                              series,
-                              wall_seconds,
-                              left_out_of_balance(*model.particles.materials(packing).bonds(model.particles.physics),
-                                                  body->particles().specimen().kinematics().radius)};
+    const CoupledReport found{
+      request,
+      model,
+      *body,
+      materials,
+      start,
+      series,
+      wall_seconds,
+      left_out_of_balance(*model.particles.materials(packing).bonds(model.particles.physics), packing.radius)};
     return {found.summary(), found.text(),
             std::shared_ptr<const dem::ObservedSpecimen>(body, &body->particles().specimen())};
   }
@@ -169,21 +169,36 @@ namespace apps
   void CoupledRun::write_results(const std::filesystem::path &folder, const postprocess::CsvTable &series)
   {
     const dem::ObservedSpecimen &specimen = body->particles().specimen();
-    const std::string            title    = std::filesystem::path(request.scene_file).stem().string();
+    {
+      const dem::ParticleOutput particles = dem::particles_for_first(specimen);
+      write_pictures(folder, particles);
+      if (model.particles.bonded() || specimen.logged_breaks() > 0) // glue may have a law of its own
+        BreakResults{specimen, packing.material_names}.write(folder, particles);
+    }
     if (model.particles.bonded())
-      {
-        postprocess::write_discrete_state(dem::discrete_state(specimen), folder / "state.h5");
-        warn_of_missing("crack.png", body->draw_cracks(folder / "crack.png", title));
-      }
-    if (model.particles.bonded() || specimen.logged_breaks() > 0) // glue may have a law of its own
-      BreakResults{specimen, packing.material_names}.write(folder);
-    warn_of_missing("coupled.png", body->draw(folder / "coupled.png", title));
-    warn_of_missing("grading.png", model.particles.mixed().draw_grading(folder));
-    warn_of_missing("damage.png", body->draw_damage(folder / "damage.png", title));
-    warn_of_missing("promoted.png", body->draw_promotion(folder / "promoted.png", title));
-    const auto [horizontal, vertical] = model.curve(body->columns(), body->reported());
-    write_curve(folder, series, horizontal, vertical, title);
+      write_state(specimen, folder / "state.h5");
+    on_first_rank([&] {
+      const auto [horizontal, vertical] = model.curve(body->columns(), body->reported());
+      write_curve(folder, series, horizontal, vertical, title());
+    });
   }
+
+  void CoupledRun::write_pictures(const std::filesystem::path &folder, const dem::ParticleOutput &particles) const
+  {
+    const bool            bonded = model.particles.bonded();
+    const dem::LinkOutput damaged =
+      bonded ? dem::damaged_links_for_first(body->particles().specimen()) : dem::LinkOutput();
+    on_first_rank([&] {
+      if (bonded)
+        warn_of_missing("crack.png", body->draw_cracks(folder / "crack.png", title(), particles, damaged));
+      warn_of_missing("coupled.png", body->draw(folder / "coupled.png", title(), particles));
+      warn_of_missing("grading.png", model.particles.mixed().draw_grading(folder));
+      warn_of_missing("damage.png", body->draw_damage(folder / "damage.png", title()));
+      warn_of_missing("promoted.png", body->draw_promotion(folder / "promoted.png", title()));
+    });
+  }
+
+  std::string CoupledRun::title() const { return std::filesystem::path(request.scene_file).stem().string(); }
 
   RunResult run(const CoupledModel &model, const RunRequest &request)
   {

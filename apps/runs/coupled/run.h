@@ -52,6 +52,10 @@ namespace apps
     RunFindings                            findings(const postprocess::CsvTable &series, double wall_seconds) override;
     void write_results(const std::filesystem::path &folder, const postprocess::CsvTable &series) override;
 
+    /** All but the curve. @param particles on the first rank; all ranks call this */
+    void        write_pictures(const std::filesystem::path &folder, const dem::ParticleOutput &particles) const;
+    std::string title() const; ///< of pictures
+
     void make_body();
     void list_together() const;
 

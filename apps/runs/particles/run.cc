@@ -11,9 +11,9 @@
 #include "apps/runs/particles/report.h"
 #include "apps/specimens/left_out_of_balance.h"
 #include "apps/specimens/specimen_packing.h"
+#include "apps/specimens/written_state.h"
 #include "base/errors.h"
-#include "dem/observation/discrete_state.h"
-#include "postprocess/hdf5/discrete_state_hdf5.h"
+#include "dem/specimen/told_to_first.h"
 #include "postprocess/packings/packing_io.h"
 #include "postprocess/pictures/specimen_picture.h"
 
@@ -29,14 +29,15 @@ namespace apps
     constexpr double slower = 0.5;
 
     /** What another scene can begin with: places as they are, outside any mould. */
-    dem::Packing at_end(const dem::Packing &packing, const dem::ObservedSpecimen &specimen)
+    dem::Packing
+    at_end(const dem::Packing &packing, const std::vector<Eigen::Vector3d> &places, const dem::ClumpReadings &clumps)
     {
       dem::Packing now = packing;
-      now.centre       = specimen.kinematics().position;
-      const auto first = specimen.clumps().size() - packing.bodies.size(); // others come from the scene
+      now.centre       = places;
+      const auto first = clumps.size() - packing.bodies.size(); // others come from the scene
       for (std::size_t b = 0; b < packing.bodies.size(); ++b)
         {
-          const dem::ClumpState clump = specimen.clumps().state(first + b);
+          const dem::ClumpState clump = clumps.state(first + b);
           now.bodies[b].centre        = clump.position;
           now.bodies[b].inertia       = clump.turned * packing.bodies[b].inertia * clump.turned.transpose();
         }
@@ -299,43 +300,62 @@ namespace apps
     record({{}, row, {}});
   }
 
-  std::string ParticlesRun::draw_crack(const std::filesystem::path &file) const
+  std::string ParticlesRun::draw_crack(const std::filesystem::path &file,
+                                       const dem::ParticleOutput   &particles,
+                                       const dem::LinkOutput       &links) const
   {
     postprocess::PictureSlab slab;
     slab.axis      = model.physics.dimension == 2 ? 2 : 1;
     slab.materials = packing.material_names;
     if (model.mix.given())
       slab.classes = body->link_classes().of_pairs();
-    return postprocess::picture_of_specimen(file, body->specimen().particles(), body->specimen().links(), "At the end",
-                                            slab);
+    return postprocess::picture_of_specimen(file, particles, links, "At the end", slab);
   }
 
   RunFindings ParticlesRun::findings(const postprocess::CsvTable &series, const double wall_seconds)
   {
-    const ParticlesReport found{
-      request,
-      model,
-      *body,
-      materials,
-      start,
-      series,
-      wall_seconds,
-      left_out_of_balance(*model.materials(packing).bonds(model.physics), body->specimen().kinematics().radius),
-      slow ? slow->test() : nullptr,
-      exchange.get()};
+    const ParticlesReport found{request,
+                                model,
+                                *body,
+                                materials,
+                                start,
+                                series,
+                                wall_seconds,
+                                left_out_of_balance(*model.materials(packing).bonds(model.physics), packing.radius),
+                                slow ? slow->test() : nullptr,
+                                exchange.get()};
     return {found.summary(), grown_text + found.text(),
             std::shared_ptr<const dem::ObservedSpecimen>(body, &body->specimen())};
   }
 
   void ParticlesRun::write_results(const std::filesystem::path &folder, const postprocess::CsvTable &series)
   {
-    postprocess::write_packing(at_end(packing, body->specimen()), folder / "packing_at_end.h5");
+    const dem::ObservedSpecimen &specimen = body->specimen();
+    {
+      const dem::ParticleOutput particles = dem::particles_for_first(specimen);
+      on_first_rank([&] {
+        postprocess::write_packing(at_end(packing, particles.position, specimen.clumps()),
+                                   folder / "packing_at_end.h5");
+      });
+      if (model.bonded())
+        write_cracks(folder, particles);
+    }
     if (model.bonded())
-      {
-        postprocess::write_discrete_state(dem::discrete_state(body->specimen()), folder / "state.h5");
-        warn_of_missing("crack.png", draw_crack(folder / "crack.png"));
-        BreakResults{body->specimen(), packing.material_names}.write(folder);
-      }
+      write_state(specimen, folder / "state.h5");
+    on_first_rank([&] { write_curves(folder, series); });
+  }
+
+  void ParticlesRun::write_cracks(const std::filesystem::path &folder, const dem::ParticleOutput &particles) const
+  {
+    {
+      const dem::LinkOutput damaged = dem::damaged_links_for_first(body->specimen());
+      on_first_rank([&] { warn_of_missing("crack.png", draw_crack(folder / "crack.png", particles, damaged)); });
+    }
+    BreakResults{body->specimen(), packing.material_names}.write(folder, particles);
+  }
+
+  void ParticlesRun::write_curves(const std::filesystem::path &folder, const postprocess::CsvTable &series) const
+  {
     warn_of_missing("grading.png", model.mixed().draw_grading(folder));
     const std::string title = std::filesystem::path(request.scene_file).stem().string();
     if (body->test())

@@ -75,7 +75,13 @@ namespace apps
     void open(const std::filesystem::path &folder);
     /** The row of now: recorded, and checked by the stop conditions. */
     void        record_row(const Record &record);
-    std::string draw_crack(const std::filesystem::path &file) const;
+    std::string draw_crack(const std::filesystem::path &file,
+                           const dem::ParticleOutput   &particles,
+                           const dem::LinkOutput       &links) const;
+    /** What bonds have become, by all ranks. @param particles on the first */
+    void write_cracks(const std::filesystem::path &folder, const dem::ParticleOutput &particles) const;
+    /** Grading and curves, by one. */
+    void write_curves(const std::filesystem::path &folder, const postprocess::CsvTable &series) const;
 
     RunRequest                     request;
     ParticlesModel                 model;

@@ -170,12 +170,15 @@ namespace apps
 
   void StructureRun::write_results(const std::filesystem::path &folder, const postprocess::CsvTable &series)
   {
-    if (particles && !snapshot_due())
-      snapshot();
-    warn_of_missing("crack.png", draw_crack(folder / "crack.png"));
-    warn_of_missing("grading.png", model.mixed().draw_grading(folder));
-    const auto [horizontal, vertical] = structure().curve();
-    write_curve(folder, series, horizontal, vertical, std::filesystem::path(request.scene_file).stem().string(), true);
+    on_first_rank([&] {
+      if (particles && !snapshot_due())
+        snapshot();
+      warn_of_missing("crack.png", draw_crack(folder / "crack.png"));
+      warn_of_missing("grading.png", model.mixed().draw_grading(folder));
+      const auto [horizontal, vertical] = structure().curve();
+      write_curve(folder, series, horizontal, vertical, std::filesystem::path(request.scene_file).stem().string(),
+                  true);
+    });
   }
 
   RunResult run(const StructureModel &model, const RunRequest &request)

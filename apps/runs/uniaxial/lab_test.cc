@@ -3,14 +3,13 @@
 #include "apps/figures/emission_figures.h"
 #include "apps/figures/energy_terms.h"
 #include "apps/process/mpi_ranks.h"
+#include "apps/process/mpi_session.h"
 #include "apps/process/progress.h"
-#include "apps/process/rank_meetings.h"
 #include "apps/results/warning.h"
+#include "apps/specimens/written_state.h"
 #include "base/errors.h"
 #include "base/stopwatch.h"
-#include "dem/observation/discrete_state.h"
-#include "dem/specimen/read_by_first.h"
-#include "postprocess/hdf5/discrete_state_hdf5.h"
+#include "dem/specimen/told_to_first.h"
 #include "postprocess/pictures/specimen_picture.h"
 
 #include <fmt/format.h>
@@ -180,33 +179,23 @@ namespace apps
     result.emission            = EmissionFigures(specimen).row();
     result.fracture_zone_width = zone.width(specimen.parameters().physics.dimension).value_or(0.0);
     note_work_of_fracture(result.notes, test.figures());
-    const dem::ReadByFirst reading(specimen);
-    on_first_rank([this] { measure_links(); });
-    take_state_from_first_rank(result);
-  }
-
-  void UniaxialLabTest::measure_links()
-  {
-    const dem::SpecimenParameters &made = specimen.parameters();
-    result.link_classes                 = classes.figures(specimen);
-    result.notes.crack                  = dem::measure_crack(specimen.particles(), specimen.links(),
-                                                             {made.physics.dimension, made.density, made.thickness});
+    result.link_classes = classes.figures(specimen);
+    result.notes.crack  = dem::measure_crack(specimen);
   }
 
   void UniaxialLabTest::write(const std::filesystem::path &folder) const
   {
-    const dem::ReadByFirst reading(specimen);
-    on_first_rank([&] {
-      if (!folder.empty())
-        write_links(folder);
-    });
-  }
-
-  void UniaxialLabTest::write_links(const std::filesystem::path &folder) const
-  {
-    postprocess::write_discrete_state(dem::discrete_state(specimen), folder / (name + "_state.h5"));
-    warn_of_missing("crack picture", draw_crack(folder));
-    write_emission(specimen, folder, name + "_", seen_along());
+    if (!on_any_rank(!folder.empty()))
+      return;
+    {
+      const dem::ParticleOutput particles = dem::particles_for_first(specimen);
+      const dem::LinkOutput     damaged   = dem::damaged_links_for_first(specimen);
+      on_first_rank([&] {
+        warn_of_missing("crack picture", draw_crack(folder, particles, damaged));
+        write_emission(specimen, folder, name + "_", seen_along());
+      });
+    }
+    write_state(specimen, folder / (name + "_state.h5"));
   }
 
   std::shared_ptr<const dem::ObservedSpecimen> UniaxialLabTest::specimen_at_end()
@@ -214,14 +203,15 @@ namespace apps
     return std::make_shared<const dem::Specimen>(std::move(specimen));
   }
 
-  std::string UniaxialLabTest::draw_crack(const std::filesystem::path &folder) const
+  std::string UniaxialLabTest::draw_crack(const std::filesystem::path &folder,
+                                          const dem::ParticleOutput   &particles,
+                                          const dem::LinkOutput       &links) const
   {
     postprocess::PictureSlab slab;
     slab.axis      = seen_along();
     slab.materials = materials.names;
     slab.classes   = crack_classes;
-    return postprocess::picture_of_specimen(folder / (name + "_crack.png"), specimen.particles(), specimen.links(),
-                                            "After " + name, slab);
+    return postprocess::picture_of_specimen(folder / (name + "_crack.png"), particles, links, "After " + name, slab);
   }
 
   std::string UniaxialLabTest::size() const

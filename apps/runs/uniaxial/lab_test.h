@@ -76,12 +76,11 @@ namespace apps
   private:
     UniaxialLabTest(const UniaxialModel &model, const JointedPacking &jointed, std::size_t number);
 
-    /** What is read of all links at the end; by the first rank. */
-    void        measure_links();
-    void        write_links(const std::filesystem::path &folder) const;
     bool        snapshot_due() const;                            ///< with the last sample
     int         seen_along() const { return axis == 2 ? 1 : 2; } ///< of pictures, across the load
-    std::string draw_crack(const std::filesystem::path &folder) const;
+    std::string draw_crack(const std::filesystem::path &folder,
+                           const dem::ParticleOutput   &particles,
+                           const dem::LinkOutput       &links) const;
 
     std::string              name; ///< "tension"
     LinkClasses              classes;

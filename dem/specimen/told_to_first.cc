@@ -1,0 +1,189 @@
+#include "dem/specimen/told_to_first.h"
+
+#include "base/voigt.h"
+#include "dem/specimen/core.h"
+#include "dem/specimen/few_lines.h"
+#include "dem/specimen/inside.h"
+#include "dem/specimen/observation.h"
+#include "dem/specimen/shown.h"
+
+#include <algorithm>
+
+namespace dem
+{
+  // --- Particles ---
+
+  ParticleOutput lasting_particles(const ObservedSpecimen &specimen)
+  {
+    const SpecimenCore &core = core_in_parts_of(specimen);
+    const Particles    &p    = core.particles;
+    ParticleOutput      out;
+    out.radius.resize(p.count);
+    out.held.assign(p.count, 0);
+    out.volume.resize(p.count);
+    out.broken_links.resize(p.count);
+    out.material.resize(p.material.empty() ? 0 : p.count);
+    for (const std::int32_t held : core.held.members())
+      out.held[static_cast<std::size_t>(p.number[static_cast<std::size_t>(held)])] = 1;
+    for (std::size_t i = 0; i < p.count; ++i)
+      {
+        const auto to        = static_cast<std::size_t>(p.number[i]);
+        out.radius[to]       = p.radius_of(i);
+        out.volume[to]       = volume_of(core, i);
+        out.broken_links[to] = p.broken_links[i];
+        if (!p.material.empty())
+          out.material[to] = p.material[i];
+      }
+    return out;
+  }
+
+  ParticleOutput placed_particles_for_first(const ObservedSpecimen &specimen)
+  {
+    SpecimenCore &core = core_in_parts_of(specimen);
+    core.give_places_to_first();
+    if (!core.is_first())
+      return {};
+    const Particles &p   = core.particles;
+    ParticleOutput   out = lasting_particles(specimen);
+    out.position.resize(p.count);
+    out.displacement.resize(p.count);
+    for (std::size_t i = 0; i < p.count; ++i)
+      {
+        const auto to        = static_cast<std::size_t>(p.number[i]);
+        out.position[to]     = p.position_of(i);
+        out.displacement[to] = displacement_of(p, i);
+      }
+    return out;
+  }
+
+  namespace
+  {
+    /** Of the links of which particles each rank reads what they do; where the first has all of them, it reads all. */
+    ShownParticles read_by_each(const SpecimenCore &core)
+    {
+      const bool by_first_alone = core.has_all_links();
+      if (by_first_alone)
+        return core.is_first() ? ShownParticles{0, core.particles.count} : ShownParticles{};
+      const auto [first, last] = core.own_particles();
+      return {first, last};
+    }
+
+    /** Take numbers of each particle, as they follow each other. @param use called with its place in their order and its numbers */
+    template <typename Use>
+    SharedWork::Take taking(const std::size_t of_each, const Use &use)
+    {
+      return [at = std::size_t(0), of_each, use](const std::vector<double> &numbers) mutable {
+        for (std::size_t n = 0; n < numbers.size(); n += of_each)
+          use(at++, &numbers[n]);
+      };
+    }
+  } // namespace
+
+  ParticleOutput particles_for_first(const ObservedSpecimen &specimen)
+  {
+    SpecimenCore             &core = core_in_parts_of(specimen);
+    ParticleOutput            out  = placed_particles_for_first(specimen);
+    const ShownParticles      read = read_by_each(core);
+    const std::vector<double> lost = damage_of_links(core, read, !core.has_all_links());
+    out.damage.resize(out.position.size());
+    core.tell_first_of_particles(
+      [&](const std::size_t begin, const std::size_t end, std::vector<double> &numbers) {
+        for (std::size_t i = begin; i < end; ++i)
+          numbers.push_back(mean_damage_of(core.particles, i, lost[i - read.first]));
+      },
+      taking(1, [&](const std::size_t i, const double *damage) {
+        out.damage[static_cast<std::size_t>(core.particles.number[i])] = *damage;
+      }));
+    return out;
+  }
+
+  std::vector<double> stress_for_first(const ObservedSpecimen &specimen)
+  {
+    SpecimenCore                &core    = core_in_parts_of(specimen);
+    const ShownParticles         read    = read_by_each(core);
+    std::vector<Eigen::Matrix3d> moments = moments_of_links(core, read, !core.has_all_links());
+    add_moments_of_surfaces(core, read, moments);
+    std::vector<double> all(core.is_first() ? 6 * core.particles.count : 0);
+    core.tell_first_of_particles(
+      [&](const std::size_t begin, const std::size_t end, std::vector<double> &numbers) {
+        for (std::size_t i = begin; i < end; ++i)
+          {
+            const base::Voigt stress = base::stress_voigt(stress_of(core, i, moments[i - read.first]));
+            numbers.insert(numbers.end(), stress.data(), stress.data() + stress.size());
+          }
+      },
+      taking(6, [&](const std::size_t i, const double *stress) {
+        std::copy_n(stress, 6, &all[6 * static_cast<std::size_t>(core.particles.number[i])]);
+      }));
+    return all;
+  }
+
+  // --- Links ---
+
+  void tell_first_of_links(const ObservedSpecimen &specimen, const TellOfLink &tell, const TakeOfLinks &take)
+  {
+    SpecimenCore &core = core_in_parts_of(specimen);
+    const auto    say  = [&](const LinkOutput &some, std::vector<double> &numbers) {
+      for (std::size_t l = 0; l < some.ends.size(); ++l)
+        tell(some, l, numbers);
+    };
+    for (const LinkSet *links : {&core.bonds, &core.contacts})
+      core.tell_first(
+        *links,
+        [&](const std::size_t begin, const std::size_t end, std::vector<double> &numbers) {
+          say(links_among(core, *links, {begin, end}), numbers);
+        },
+        take);
+    if (!core.is_first()) // all know what broke
+      return;
+    std::vector<double> numbers;
+    say(broken_links(core), numbers);
+    take(numbers);
+  }
+
+  LinkOutput damaged_links_for_first(const ObservedSpecimen &specimen)
+  {
+    constexpr std::size_t of_each = 8;
+    const SpecimenCore   &core    = core_in_parts_of(specimen);
+    LinkOutput            out;
+    tell_first_of_links(
+      specimen,
+      [](const LinkOutput &some, const std::size_t l, std::vector<double> &numbers) {
+        if (some.kind[l] == LinkOutput::contact || !(some.damage[l] > 0))
+          return;
+        const auto &[first, second] = some.ends[l];
+        const Eigen::Vector3d &to   = some.load[l].branch;
+        numbers.insert(numbers.end(),
+                       {static_cast<double>(first), static_cast<double>(second), static_cast<double>(some.kind[l]),
+                        some.pair.empty() ? -1.0 : some.pair[l], some.damage[l], to.x(), to.y(), to.z()});
+      },
+      [&](const std::vector<double> &numbers) {
+        for (std::size_t n = 0; n < numbers.size(); n += of_each)
+          {
+            out.ends.push_back({static_cast<std::size_t>(numbers[n]), static_cast<std::size_t>(numbers[n + 1])});
+            out.kind.push_back(static_cast<std::int32_t>(numbers[n + 2]));
+            if (numbers[n + 3] >= 0)
+              out.pair.push_back(static_cast<std::int32_t>(numbers[n + 3]));
+            out.damage.push_back(numbers[n + 4]);
+            out.load.emplace_back().branch = Eigen::Vector3d(&numbers[n + 5]);
+          }
+      });
+    if (core.is_first())
+      out.glue = glue_of(core);
+    return out;
+  }
+
+  void add_up_links(const ObservedSpecimen                        &specimen,
+                    std::vector<double>                           &numbers,
+                    const std::function<void(const LinkOutput &)> &use)
+  {
+    SpecimenCore &core = core_in_parts_of(specimen);
+    for (const LinkSet *links : {&core.bonds, &core.contacts})
+      core.walk(*links, numbers.data(), numbers.size(), [&](const LinkRange &lines) {
+        each_few_lines(lines.begin, lines.end, [&](const std::size_t begin, const std::size_t end) {
+          use(links_among(core, *links, {begin, end}));
+        });
+      });
+    use(broken_links(core));
+  }
+} // namespace dem
