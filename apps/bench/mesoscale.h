@@ -17,8 +17,8 @@ namespace apps
     bool                     quick = false;  ///< one geometry of l-9.5 and l-19 each, with the first of these
     /// Of the interface over that of the mortar, in the two published sets of factors.
     std::vector<double> ductility = {0.1, 0.05};
-    /// Of the strength in tension: work of fracture is counted until the stress is less for good.
-    double work_until = 0.2;
+    /// Of the strength in tension: work of fracture is counted until the stress is less for good. Published is what is done until 0.2.
+    double work_until = 0.05;
   };
 
   /**

@@ -28,7 +28,7 @@ namespace apps
     command
       .option(
         "--work-until", &MesoscaleBench::work_until, "F",
-        "Part of the strength that the stress falls to where the work of fracture ends; default: 0.2, as published")
+        "Part of the strength that the stress falls to where the work of fracture ends; published: 0.2; default: 0.05")
       .check(CLI::Range(1e-3, 0.9));
     command.flag("--quick", &MesoscaleBench::quick, "One geometry of l-9.5 and l-19 each, with the first ductility");
     command.runs(chosen, run_mesoscale_bench);

@@ -150,6 +150,26 @@ TEST_CASE("Mix: an interrupted or killed structure of concrete goes on to the sa
   CHECK(classes[0]["damage_energy"] > 0); // it has cracked
 }
 
+TEST_CASE("Mix: an interrupted or killed structure of particles alone goes on to the same bits",
+          "[apps][mesoscale][structure][slow][S13]")
+{
+  const ScratchFolder folder;
+  folder.file("packing.txt", uneven_lattice(6));
+  folder.file("x.prm", pulled_structure());
+  const auto kept = [](const std::filesystem::path &results) {
+    return kept_of_structure(results) +
+           nlohmann::json::parse(content_of(results / "summary.json"))["link_classes"].dump();
+  };
+  goes_on_to_the_same_bits(folder,
+                           {{"run", "x.prm", "-s", "Path/Step=1e-7", "-s", "Output/Checkpoint interval=0.01", "-s",
+                             "Output/Points per snapshot=8"},
+                            {"links/links_000002.vtp", "checkpoint.h5"},
+                            kept},
+                           {SIGINT, SIGKILL});
+  const std::string left = kept(folder / "results");
+  CHECK_THAT(left, Contains("links_000004.vtp") && Contains("\"interface\""));
+}
+
 TEST_CASE("Mix: a solid that would be as the particles of a mix are is refused with what to give instead",
           "[apps][mesoscale]")
 {
