@@ -1,6 +1,6 @@
 # Configures the room dem and its tests without deal.II, VTK, HDF5 and MPI, builds it, and finds the committed fingerprints of its scenes.
 # All of its tests as well would be compiled, and run, a second time for nothing. The options are those of the build itself, so that ccache
-# has every object already: a minute of work where it is installed, six where it is not.
+# has every object already: seconds of work where it is installed, minutes where it is not.
 #
 #   cmake -D SOURCE=<root> -D SCRATCH=<build folder> -D CTEST=<ctest> -D "OPTIONS=<-D options of this build>" \
 #         -P dem_alone.cmake
