@@ -61,6 +61,26 @@ namespace apps_tests
     CHECK_THAT(content_of(folder / "said"), Catch::Contains("state saved"));
   }
 
+  /**
+   * Meddle with a run on three ranks once a file is there: where one of them cannot write, all are gone in a moment with one message.
+   * @param awaited file below results/running @param meddle shell words @param named what the message has once
+   */
+  inline void are_gone_where_one_cannot_write(const std::string &words,
+                                              const std::string &awaited,
+                                              const std::string &meddle,
+                                              const std::string &named)
+  {
+    const ScratchFolder folder;
+    const int           status =
+      shell_in(folder, program_on(3, 1) + words + " -o results & while kill -0 $! && [ ! -e results/running/" +
+                         awaited + " ]; do sleep 0.01; done; " + meddle + "; wait $!");
+    const std::string said = content_of(folder / "said");
+    INFO(said);
+    CHECK(status != 0);
+    CHECK(occurrences("breccia: ", said) == 2); // the note about its faces, and this
+    CHECK(occurrences(named, said) == 1);
+  }
+
   /** Interrupted on three ranks, a run goes on on one and on five to what it gives without. Only the first writes checkpoints. */
   inline void goes_on_on_others(const std::string &words)
   {
