@@ -54,7 +54,7 @@ namespace apps
     }
   } // namespace
 
-  dem::Specimen cube_of_lattice(const int cells)
+  dem::Specimen cube_of_lattice(const int cells, dem::Ranks *const found_by)
   {
     dem::SpecimenParameters parameters;
     parameters.density           = 4800;
@@ -62,7 +62,7 @@ namespace apps
     parameters.damping           = 0.3;
     dem::Packing packing         = dem::make_lattice(dem::Lattice::face_centred_cubic, 1e-3, {cells, cells, cells});
     packing.periodic_cell.reset();
-    return dem::Specimen(packing, parameters, dem::CpmMaterials(concrete_links()));
+    return dem::Specimen(packing, parameters, dem::CpmMaterials(concrete_links()), found_by);
   }
 
   dem::LinkEnds links_of_cube(const int cells)

@@ -186,7 +186,7 @@ namespace apps
       const int              cells  = bench.quick ? 16 : bench.cells;
       constexpr std::int64_t rounds = 3;
       std::vector<double>    alone, shared;
-      dem::Specimen          body  = cube_of_lattice(cells);
+      dem::Specimen          body  = cube_of_lattice(cells, launched_team().get());
       const double           count = static_cast<double>(body.counts().particles);
       const std::int64_t     steps = std::max<std::int64_t>(5, static_cast<std::int64_t>(2e7 / count));
       dem::Specimen          other = body;
@@ -246,7 +246,7 @@ namespace apps
 
     int run_memory(const RanksBench &bench)
     {
-      dem::Specimen body = cube_of_lattice(bench.quick ? 16 : bench.cells);
+      dem::Specimen body = cube_of_lattice(bench.quick ? 16 : bench.cells, launched_team().get());
       share_among_ranks(body);
       const double                       seconds = seconds_of_steps(body, bench.memory_steps);
       const double                       mine[]  = {process_memory("VmRSS"), process_memory("VmHWM")};

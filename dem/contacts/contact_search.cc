@@ -95,35 +95,66 @@ namespace dem
     return std::sqrt(squared) + by_strain;
   }
 
-  void ContactSearch::rebuild(Particles &particles, const LinkSet &bonds, const LinkSet &contacts)
+  namespace
+  {
+    /** Let the cell know the images that pairs reach to, in the order in which one rank comes upon them. */
+    void enter_images(Cell &cell, const std::vector<NeighbourPair> &pairs, const SharedSearch &search)
+    {
+      std::vector<NeighbourPair> found; // each image once
+      for (const NeighbourPair &pair : pairs)
+        if (std::none_of(found.begin(), found.end(),
+                         [&](const NeighbourPair &other) { return other.shift == pair.shift; }))
+          found.push_back({0, 0, pair.shift});
+      for (const NeighbourPair &image : search.of_all(std::move(found)))
+        cell.enter(image.shift);
+    }
+  } // namespace
+
+  void ContactSearch::rebuild(Particles          &particles,
+                              const LinkSet      &bonds,
+                              const LinkSet      &contacts,
+                              const SharedSearch &search)
   {
     for (std::size_t i = 0; i < particles.count; ++i)
       std::copy_n(particles.pose_of(i), 3, &reference[3 * i]);
     if (particles.cell.repeats())
       reference_base.assign(particles.cell.base().data(), particles.cell.base().data() + 9);
+    std::vector<NeighbourPair> pairs = particle_pairs(particles, 1.0, list_margin, search.own());
+    search.drop_others(pairs);
+    if (particles.cell.repeats())
+      enter_images(particles.cell, pairs, search);
+    const auto flat = [&](const NeighbourPair &pair) -> std::array<std::int32_t, 3> {
+      return {pair.first, pair.second, particles.cell.repeats() ? particles.cell.enter(pair.shift) : 0};
+    };
+    pairs.erase(std::remove_if(pairs.begin(), pairs.end(),
+                               [&](const NeighbourPair &pair) {
+                                 return particles.in_one_body(pair.first, pair.second) ||
+                                        particles.cut_between(pair.first, pair.second) != nullptr ||
+                                        joined(bonds, flat(pair)) || joined(contacts, flat(pair));
+                               }),
+                pairs.end());
     watched.clear();
-    for (const auto &[first, second, shift] : particle_pairs(particles, 1.0, list_margin))
+    for (const NeighbourPair &pair : search.of_all(std::move(pairs)))
       {
-        const std::array<std::int32_t, 3> pair = {first, second,
-                                                  particles.cell.repeats() ? particles.cell.enter(shift) : 0};
-        if (!particles.in_one_body(first, second) && particles.cut_between(first, second) == nullptr &&
-            !joined(bonds, pair) && !joined(contacts, pair))
-          watched.insert(watched.end(), pair.begin(), pair.end());
+        const std::array<std::int32_t, 3> numbers = flat(pair);
+        watched.insert(watched.end(), numbers.begin(), numbers.end());
       }
     margin       = list_margin - tie * (largest_diameter + list_margin); // nearer than that, none is left out
     path_of_list = 0;
     ++neighbour_searches;
   }
 
-  std::vector<NeighbourPair>
-  ContactSearch::find_contacts(Particles &particles, const LinkSet &bonds, const LinkSet &contacts)
+  std::vector<NeighbourPair> ContactSearch::find_contacts(Particles          &particles,
+                                                          const LinkSet      &bonds,
+                                                          const LinkSet      &contacts,
+                                                          const SharedSearch &search)
   {
     if (2 * path_of_list >= margin)
       {
         // The sum of largest steps overrates displacement (different particles, there and back): measure it before searching.
         path_of_list = largest_displacement(particles);
         if (2 * path_of_list >= 0.8 * margin)
-          rebuild(particles, bonds, contacts);
+          rebuild(particles, bonds, contacts, search);
       }
     std::vector<NeighbourPair> born;
     std::vector<std::int32_t>  apart;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/state.h"
+#include "dem/contacts/shared_search.h"
 #include "dem/model/links.h"
 #include "dem/model/particles.h"
 
@@ -43,8 +44,12 @@ namespace dem
     /** A pair (first, second, image) that is no longer linked: watch it. */
     void watch(const Particles &particles, const std::array<std::int32_t, 3> &pair);
 
-    /** Unlinked pairs that overlap now (all watched ones, where contacts wait), sorted; they are no longer watched. */
-    std::vector<NeighbourPair> find_contacts(Particles &particles, const LinkSet &bonds, const LinkSet &contacts);
+    /**
+     * Unlinked pairs that overlap now (all watched ones, where contacts wait), sorted; they are no longer watched.
+     * @param search with other ranks, all of which call this; by default alone
+     */
+    std::vector<NeighbourPair>
+    find_contacts(Particles &particles, const LinkSet &bonds, const LinkSet &contacts, const SharedSearch &search = {});
 
     /** Whether a contact that waits would be made anew if it were dropped now. */
     bool is_near(const Particles &particles, const std::array<std::int32_t, 3> &pair) const;
@@ -54,7 +59,7 @@ namespace dem
     void visit_state(base::StateVisitor &visitor);
 
   private:
-    void   rebuild(Particles &particles, const LinkSet &bonds, const LinkSet &contacts);
+    void   rebuild(Particles &particles, const LinkSet &bonds, const LinkSet &contacts, const SharedSearch &search);
     double largest_displacement(const Particles &particles) const;
     double watched_gap(const Particles &particles, const std::array<std::int32_t, 3> &pair) const;
     /** Not below the distance of a pair that is watched for, of centres [m]. */

@@ -76,7 +76,10 @@ namespace dem
     }
   } // namespace
 
-  SpecimenCore::SpecimenCore(const Packing &packing, const SpecimenParameters &p, const LinkMaterials &materials)
+  SpecimenCore::SpecimenCore(const Packing            &packing,
+                             const SpecimenParameters &p,
+                             const LinkMaterials      &materials,
+                             Ranks *const              found_by)
     : parameters(p)
     , shape{p.physics.dimension, p.density, p.thickness, materials.densities(p.density)}
     , particles(make_particles_in_cell(packing, shape, p, materials))
@@ -97,7 +100,8 @@ namespace dem
   {
     for (std::size_t i = 0; i < particles.count; ++i)
       slot[particles.number[i]] = static_cast<std::int32_t>(i);
-    link();
+    const SharedSearch with_others = search_by(found_by, particles.count);
+    link(with_others);
     space_per_solid = volume_per_solid(particles, shape);
     longest_step = time_step = parameters.step_factor * (bond_law->bonds() ? stable() : step_of_lone_particles());
     if (!std::isfinite(time_step))
@@ -108,7 +112,7 @@ namespace dem
     book.rounding = made_links > 0 ? energy_of_strain(particles, bonds, *bond_law, strain_of_rounding) :
                                      energy_of_strained_packing(strain_of_rounding);
     if (parameters.physics.contacts)
-      make_contacts(); // of what overlaps from the start
+      make_contacts(with_others); // of what overlaps from the start
   }
 
   std::size_t SpecimenCore::touching_contacts()
@@ -174,12 +178,14 @@ namespace dem
     search = ContactSearch(particles, 0.0, contact_law->waits()); // they may touch from the start
   }
 
-  void SpecimenCore::link()
+  void SpecimenCore::link(const SharedSearch &with_others)
   {
     std::vector<NeighbourPair> pairs;
     if (bond_law->bonds())
       {
-        pairs = particle_pairs(particles, parameters.interaction_ratio, parameters.installation_gap);
+        pairs = particle_pairs(particles, parameters.interaction_ratio, parameters.installation_gap, with_others.own());
+        with_others.drop_others(pairs);
+        pairs = with_others.of_all(std::move(pairs));
         leave_loose(pairs);
         leave_unbonded(pairs);
       }

@@ -140,12 +140,13 @@ namespace dem
     /** Everything needed to go on to the same bits. */
     void visit_state(base::StateVisitor &visitor);
 
-    SpecimenCore(const Packing &packing, const SpecimenParameters &p, const LinkMaterials &materials);
+    /** @param found_by ranks that search for neighbours together meanwhile; null: this process alone */
+    SpecimenCore(const Packing &packing, const SpecimenParameters &p, const LinkMaterials &materials, Ranks *found_by);
     Mixture mixture() const
     {
       return bond_law->several() ? Mixture::materials : equal_radii ? Mixture::equal : Mixture::radii;
     }
-    void link();
+    void link(const SharedSearch &with_others);
     /** Take pairs with a loose particle out; they may be nearer than the ratio leaves others, and the search must know. */
     void leave_loose(std::vector<NeighbourPair> &pairs);
     /** Take pairs of materials out that are not to be linked. */
@@ -237,7 +238,10 @@ namespace dem
     void settle_events(LinkSet &links, const LinkLaw &law);
     void delete_link(LinkSet &links, const LinkReader &link, std::size_t number);
     /** Make contacts of pairs that have begun to overlap (or, where they wait, may soon), where motion can have made one. */
-    void make_contacts();
+    void make_contacts() { make_contacts(search_with_others()); }
+    void make_contacts(const SharedSearch &with_others);
+    /** How this process takes part in searches for neighbours. */
+    SharedSearch search_with_others();
     /** Contacts whose stiffness grows: find the stable step again before it might become shorter. */
     void watch_stiffening();
     /** Take out contacts that wait for particles far away by now. */

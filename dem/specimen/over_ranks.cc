@@ -105,6 +105,8 @@ namespace dem
       tell_itself(particles.count, tell, take);
   }
 
+  SharedSearch SpecimenCore::search_with_others() { return shares() ? shared->search() : SharedSearch(); }
+
   void SpecimenCore::give_places_to_first()
   {
     if (shares())

@@ -175,6 +175,12 @@ namespace dem
     ranks->gather(array, begin);
   }
 
+  SharedSearch SharedWork::search()
+  {
+    return {rank(), particle_begin,
+            [this](void *array, const std::vector<std::size_t> &begin) { gather(array, begin); }};
+  }
+
   void SharedWork::gather_numbers(double *all, const std::size_t of_each)
   {
     std::vector<std::size_t> begin;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "dem/contacts/shared_search.h"
 #include "dem/kernels/particle_pass.h"
 #include "dem/model/links.h"
 #include "dem/model/particles.h"
@@ -73,10 +74,12 @@ namespace dem
     void share_forces(Particles &particles, const std::vector<std::int32_t> &of);
     void share_velocities(Particles &particles, const std::vector<std::int32_t> &of);
     /** Places, motions, velocities and forces: all know these particles until others move. @param of ascending */
-    void   share_states(Particles &particles, const std::vector<std::int32_t> &of);
-    bool   knows(std::int32_t particle) const;
-    double largest(double number) const;
-    double least(const double number) const { return -largest(-number); }
+    void share_states(Particles &particles, const std::vector<std::int32_t> &of);
+    bool knows(std::int32_t particle) const;
+    /** For neighbours, each rank for those of its particles. */
+    SharedSearch search();
+    double       largest(double number) const;
+    double       least(const double number) const { return -largest(-number); }
 
     // --- To read all of it ---
 

@@ -24,8 +24,10 @@ namespace dem
           }
     }
 
-    std::unique_ptr<SpecimenCore>
-    make_core(const Packing &packing, const SpecimenParameters &parameters, const LinkMaterials &materials)
+    std::unique_ptr<SpecimenCore> make_core(const Packing            &packing,
+                                            const SpecimenParameters &parameters,
+                                            const LinkMaterials      &materials,
+                                            Ranks *const              found_by)
     {
       parameters.check();
       check_packing(packing, "packing");
@@ -33,12 +35,15 @@ namespace dem
       check_materials(packing, materials);
       if (parameters.physics.dimension == 2)
         check_plane(packing);
-      return std::make_unique<SpecimenCore>(packing, parameters, materials);
+      return std::make_unique<SpecimenCore>(packing, parameters, materials, found_by);
     }
   } // namespace
 
-  Specimen::Specimen(const Packing &packing, const SpecimenParameters &parameters, const LinkMaterials &materials)
-    : ObservedSpecimen(make_core(packing, parameters, materials))
+  Specimen::Specimen(const Packing            &packing,
+                     const SpecimenParameters &parameters,
+                     const LinkMaterials      &materials,
+                     Ranks *const              found_by)
+    : ObservedSpecimen(make_core(packing, parameters, materials, found_by))
   {
   }
 

@@ -29,10 +29,14 @@ namespace dem
     /**
      * Link the packing and set it at rest. Links take the constants of the pair of materials that they join.
      * @param materials numbered as the packing does; where it does not say, all particles are of the first
+     * @param found_by ranks that make the same specimen, and search for what is to be linked together; null: each by itself
      * @throws base::InputError for an unusable packing: see check_packing(); when no two particles are near enough to be linked;
      *         when it is to be periodic and the packing is not; or when it has a material that is not among those given.
      */
-    Specimen(const Packing &packing, const SpecimenParameters &parameters, const LinkMaterials &materials);
+    Specimen(const Packing            &packing,
+             const SpecimenParameters &parameters,
+             const LinkMaterials      &materials,
+             Ranks                    *found_by = nullptr);
     ~Specimen();
     Specimen(Specimen &&) noexcept;
     Specimen &operator=(Specimen &&) noexcept;

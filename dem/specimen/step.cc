@@ -219,13 +219,13 @@ namespace dem
     return std::sqrt(fastest);
   }
 
-  void SpecimenCore::make_contacts()
+  void SpecimenCore::make_contacts(const SharedSearch &with_others)
   {
     if (!search.moved(largest_displacement(), (time_step * particles.cell.gradient()).norm()))
       return;
     gather_places();
     const auto searches = search.searches();
-    const auto born     = search.find_contacts(particles, bonds, contacts);
+    const auto born     = search.find_contacts(particles, bonds, contacts, with_others);
     if (contact_law->waits() && search.searches() != searches)
       drop_distant_contacts();
     if (born.empty())

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <random>
 #include <vector>
@@ -189,4 +190,53 @@ TEST_CASE("the neighbour search names what it cannot use", "[dem][neighbours]")
   centre[1] = {3000.5, 0, 0};
   REQUIRE_THROWS_WITH(dem::find_pairs(centre, radius, 1.0, 0.0, Eigen::Vector3d(10, 10, 10)),
                       Contains("more than 127"));
+}
+
+TEST_CASE("pairs of a range of particles are those of all pairs that have an end in it", "[dem][neighbours]")
+{
+  // Ranges lie along a line through the box, so that most of it is far from each; radii by a factor of 1 or 20; centres outside the cell too.
+  const auto along_z = [](Cloud cloud) {
+    std::sort(cloud.centre.begin(), cloud.centre.end(),
+              [](const Eigen::Vector3d &a, const Eigen::Vector3d &b) { return a.z() < b.z(); });
+    return cloud;
+  };
+  const Eigen::Vector3d box(1.0, 0.8, 6.0);
+  Eigen::Matrix3d       sheared = box.asDiagonal();
+  sheared(0, 2)                 = 1.3;
+  sheared(1, 0)                 = 0.2;
+  const auto check              = [](const Cloud &cloud, const auto &find) {
+    const auto  n     = static_cast<std::int32_t>(cloud.centre.size());
+    const auto  all   = find(dem::PairsOf());
+    std::size_t parts = 0;
+    REQUIRE(all.size() > cloud.centre.size());
+    for (const dem::PairsOf &of : {dem::PairsOf{0, n / 3}, dem::PairsOf{n / 3, n / 3 + 1}, dem::PairsOf{n / 2, n},
+                                   dem::PairsOf{n / 2, n / 2}, dem::PairsOf{0, n}, dem::PairsOf{n - 5, n + 100}})
+      {
+        std::vector<dem::NeighbourPair> expected;
+        std::copy_if(all.begin(), all.end(), std::back_inserter(expected),
+                                  [&](const dem::NeighbourPair &pair) { return of.has(pair); });
+        CHECK(find(of) == expected);
+        parts += expected.size();
+      }
+    CHECK(parts > all.size());
+  };
+  for (unsigned seed = 0; seed < 4; ++seed)
+    {
+      const double ratio = seed % 2 == 0 ? 1.0 : 20.0;
+      const Cloud  cloud = along_z(random_cloud(seed, 700, box, ratio > 1 ? 0.02 : 0.1, ratio, 0.2));
+      Cloud        flat  = cloud;
+      for (Eigen::Vector3d &x : flat.centre)
+        x = {x.z(), x.y(), 0};
+      check(cloud, [&](const dem::PairsOf &of) {
+        return dem::find_pairs(cloud.centre, cloud.radius, 1.2, 0.02, std::nullopt, of);
+      });
+      check(cloud,
+            [&](const dem::PairsOf &of) { return dem::find_pairs(cloud.centre, cloud.radius, 1.2, 0.02, box, of); });
+      check(cloud, [&](const dem::PairsOf &of) {
+        return dem::find_pairs_sheared(cloud.centre, cloud.radius, 1.2, 0.02, sheared, of);
+      });
+      check(flat, [&](const dem::PairsOf &of) {
+        return dem::find_pairs(flat.centre, flat.radius, 1.2, 0.02, std::nullopt, of);
+      });
+    }
 }

@@ -338,7 +338,7 @@ TEST_CASE("what a link does depends on no other link in its pack", "[dem][ranks]
       dem::SpecimenParameters p  = cluster::bonded(1.2);
       p.step_factor              = 0.1;
       const dem::Packing packing = bar(200);
-      dem::SpecimenCore  core(packing, p, materials);
+      dem::SpecimenCore  core(packing, p, materials, nullptr);
       INFO(core.bond_law->name());
       for (std::size_t i = 0; i < packing.size(); ++i)
         for (int c = 0; c < 3; ++c)
@@ -375,6 +375,51 @@ TEST_CASE("what a link does depends on no other link in its pack", "[dem][ranks]
                                                    &links.force[dem::record_size * order[l]]);
         }
       CHECK(different == 0);
+    }
+}
+
+TEST_CASE("ranks that search for links and contacts together make the specimen of one", "[dem][ranks]")
+{
+  // Bonded, of 700 particles in three bricks; loose and overlapping, so that contacts are there from the start; a cell of 27 in one brick,
+  // particles of which are linked to their own images.
+  const auto overlapping = [] {
+    dem::Packing packing = bar(700);
+    for (double &radius : packing.radius)
+      radius *= 1.2;
+    return packing;
+  };
+  struct Made
+  {
+    const char             *name;
+    dem::Packing            packing;
+    dem::SpecimenParameters parameters;
+    dem::LinkMaterials      materials;
+    std::size_t             links; ///< at least
+    bool                    overlap;
+  };
+  for (const Made &made : {Made{"bonded", bar(700), cluster::bonded(1.5), cluster::concrete(), 1000, false},
+                           Made{"loose", overlapping(), grains::falling(), grains::rough(), 0, true},
+                           Made{"a cell", periodic_fixture::disordered(3, 7), periodic_fixture::concrete_specimen(),
+                                periodic_fixture::brittle_concrete(), 100, false}})
+    {
+      dem::Specimen     alone(made.packing, made.parameters, made.materials);
+      const dem::Counts counts = alone.counts();
+      CHECK(counts.links >= made.links);
+      CHECK((counts.deepest_overlap > 0) == made.overlap);
+      periodic_fixture::MemoryState whole;
+      alone.visit_state(whole);
+      for (const std::size_t count : {2, 3, 5})
+        {
+          std::vector<char> same(count, 0);
+          rank_threads::run(count, [&](const std::shared_ptr<dem::Ranks> &ranks) {
+            dem::Specimen                 body(made.packing, made.parameters, made.materials, ranks.get());
+            periodic_fixture::MemoryState state;
+            body.visit_state(state);
+            same[ranks->rank()] = state == whole && body.time_step() == alone.time_step();
+          });
+          INFO(made.name << " on " << count << " ranks");
+          CHECK(same == std::vector<char>(count, 1));
+        }
     }
 }
 

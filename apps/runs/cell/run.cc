@@ -30,8 +30,8 @@ namespace apps
   void CellRun::make_test()
   {
     const Progress progress("links");
-    specimen =
-      std::make_shared<dem::Specimen>(packing, model.specimen(), model.mixed().materials(packing.material_names));
+    specimen = std::make_shared<dem::Specimen>(packing, model.specimen(),
+                                               model.mixed().materials(packing.material_names), launched_team().get());
     share_among_ranks(*specimen);
     materials = MaterialCounts(packing.material_names, *specimen);
     test.emplace(*specimen, model.loading());

@@ -22,7 +22,8 @@ namespace apps
                                        const JointedPacking &jointed,
                                        const ParticleGroups &groups)
     {
-      dem::Specimen made(jointed.packing(), model.parameters(), jointed.materials(model.materials(packing)));
+      dem::Specimen made(jointed.packing(), model.parameters(), jointed.materials(model.materials(packing)),
+                         launched_team().get());
       model.clumps.make(made, groups);
       dem::add_packed_clumps(made, packing, model.materials(packing));
       return made;

@@ -68,7 +68,8 @@ namespace apps
     , axis(model.loading.axis)
     , specimen(jointed.packing(),
                model.specimen(),
-               jointed.materials(model.mixed().materials(jointed.packing().material_names)))
+               jointed.materials(model.mixed().materials(jointed.packing().material_names)),
+               launched_team().get())
     , test(specimen, model.loading.parameters(model.loading.tests[which]))
     , gravity(model.gravity)
     , steps_at_most(most_steps(model.loading, model.loading.tests[which], specimen.time_step()))
