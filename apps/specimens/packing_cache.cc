@@ -1,5 +1,9 @@
 #include "apps/specimens/packing_cache.h"
 
+#include "apps/process/mpi_ranks.h"
+#include "apps/process/mpi_session.h"
+#include "dem/ranks/ranks.h"
+
 #include <fmt/format.h>
 
 #include <utility>
@@ -22,22 +26,58 @@ namespace apps
                          p.low_pressure, p.time_step_factor, p.step_limit, p.moulded ? "moulded\n" : "");
     }
 
+    /** A packing as it is kept: what its parameters do not say. */
+    struct Kept
+    {
+      std::vector<double> centres, cell, figures;
+      std::int64_t        steps = 0;
+
+      explicit Kept(const dem::CompactionParameters &p)
+        : centres(3 * p.count)
+        , cell(3)
+        , figures(4)
+      {
+      }
+      explicit Kept(const dem::CompactionResult &result)
+        : cell(result.edges.data(), result.edges.data() + 3)
+        , figures{result.packing_fraction, result.mean_overlap, result.unbalanced_ratio, result.coordination}
+        , steps(result.steps)
+      {
+        for (const Eigen::Vector3d &x : result.packing.centre)
+          centres.insert(centres.end(), x.data(), x.data() + 3);
+      }
+
+      dem::CompactionResult result(const dem::CompactionParameters &p) const
+      {
+        dem::CompactionResult made{{},   Eigen::Vector3d(cell.data()), figures[0], figures[1], figures[2], figures[3],
+                                   steps};
+        for (std::size_t i = 0; i < p.count; ++i)
+          made.packing.centre.emplace_back(&centres[3 * i]);
+        made.packing.radius.assign(p.count, p.radius);
+        if (!p.moulded)
+          made.packing.periodic_cell = made.edges;
+        return made;
+      }
+    };
+
     dem::CompactionResult result_in(const postprocess::hdf5::InputFile &file, const dem::CompactionParameters &p)
     {
-      std::vector<double> centres(3 * p.count), cell(3), figures(4);
-      std::int64_t        steps = 0;
-      file.read("centre", centres.data());
-      file.read("periodic_cell", cell.data());
-      file.read("figures", figures.data());
-      file.read("steps", &steps);
-      dem::CompactionResult result{{},   Eigen::Vector3d(cell.data()), figures[0], figures[1], figures[2], figures[3],
-                                   steps};
-      for (std::size_t i = 0; i < p.count; ++i)
-        result.packing.centre.emplace_back(&centres[3 * i]);
-      result.packing.radius.assign(p.count, p.radius);
-      if (!p.moulded)
-        result.packing.periodic_cell = result.edges;
-      return result;
+      Kept kept(p);
+      file.read("centre", kept.centres.data());
+      file.read("periodic_cell", kept.cell.data());
+      file.read("figures", kept.figures.data());
+      file.read("steps", &kept.steps);
+      return kept.result(p);
+    }
+
+    /** From the first rank to all. */
+    template <typename Number>
+    void give(dem::Ranks &ranks, Number *const numbers, const std::size_t count)
+    {
+      static_assert(sizeof(Number) == sizeof(double), "what is gathered consists of whole doubles");
+      std::vector<std::size_t> bytes(ranks.size() + 1, count * sizeof(Number));
+      bytes.front() = 0;
+      ranks.gather(numbers, bytes);
     }
   } // namespace
 
@@ -68,15 +108,11 @@ namespace apps
   void PackingCache::keep(const dem::CompactionParameters &parameters, const dem::CompactionResult &result) const
   {
     folder.keep(key_of(parameters), compacted, [&](postprocess::hdf5::OutputFile &file) {
-      const double        figures[] = {result.packing_fraction, result.mean_overlap, result.unbalanced_ratio,
-                                       result.coordination};
-      std::vector<double> centres;
-      for (const Eigen::Vector3d &x : result.packing.centre)
-        centres.insert(centres.end(), x.data(), x.data() + 3);
-      file.write("centre", centres.data(), {result.packing.size(), 3});
-      file.write("periodic_cell", result.edges.data(), {3});
-      file.write("figures", figures, {4});
-      file.write("steps", &result.steps, {});
+      const Kept kept(result);
+      file.write("centre", kept.centres.data(), {result.packing.size(), 3});
+      file.write("periodic_cell", kept.cell.data(), {3});
+      file.write("figures", kept.figures.data(), {4});
+      file.write("steps", &kept.steps, {});
     });
   }
 
@@ -84,5 +120,22 @@ namespace apps
   {
     auto folder = packing_cache_folder();
     return folder ? std::optional(PackingCache(std::move(*folder))) : std::nullopt;
+  }
+
+  std::optional<dem::CompactionResult> find_on_first_rank(const std::optional<PackingCache> &cache,
+                                                          const dem::CompactionParameters   &parameters)
+  {
+    std::optional<dem::CompactionResult> found;
+    if (cache && is_first_rank())
+      found = cache->find(parameters);
+    const std::shared_ptr<dem::Ranks> ranks = launched_team();
+    if (!ranks || !on_any_rank(found.has_value()))
+      return found;
+    Kept kept = found ? Kept(*found) : Kept(parameters);
+    give(*ranks, kept.centres.data(), kept.centres.size());
+    give(*ranks, kept.cell.data(), kept.cell.size());
+    give(*ranks, kept.figures.data(), kept.figures.size());
+    give(*ranks, &kept.steps, 1);
+    return kept.result(parameters);
   }
 } // namespace apps

@@ -26,4 +26,8 @@ namespace apps
 
   /** In packing_cache_folder(), if there is one. */
   std::optional<PackingCache> packing_cache();
+
+  /** What the first of several ranks finds in its cache, if it has one, on all of them; they may have others, or none. */
+  std::optional<dem::CompactionResult> find_on_first_rank(const std::optional<PackingCache> &cache,
+                                                          const dem::CompactionParameters   &parameters);
 } // namespace apps

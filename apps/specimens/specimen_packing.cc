@@ -1,6 +1,7 @@
 #include "apps/specimens/specimen_packing.h"
 
-#include "apps/process/interrupt.h"
+#include "apps/process/mpi_ranks.h"
+#include "apps/process/mpi_session.h"
 #include "apps/process/progress.h"
 #include "apps/results/warning.h"
 #include "apps/specimens/genesis_work.h"
@@ -9,6 +10,7 @@
 #include "apps/specimens/packing_file.h"
 #include "base/errors.h"
 #include "dem/neighbours/pieces.h"
+#include "dem/packing/compaction_on_ranks.h"
 #include "dem/packing/moulded_box.h"
 #include "dem/packing/overlaps.h"
 #include "dem/packing/tiling.h"
@@ -64,17 +66,16 @@ namespace apps
   dem::CompactionResult compact_with_progress(const dem::CompactionParameters &parameters)
   {
     const std::optional<PackingCache> cache = packing_cache();
-    if (cache)
-      if (std::optional<dem::CompactionResult> kept = cache->find(parameters))
-        return std::move(*kept);
+    if (std::optional<dem::CompactionResult> kept = find_on_first_rank(cache, parameters))
+      return std::move(*kept);
     Progress   progress("packing");
     const auto show = [&](const dem::CompactionProgress &now) {
       progress.update(fmt::format("stage {} of 2, step {}, packing fraction {:.3f}, pressure {:.2f} of its target",
                                   now.stage, now.steps, now.packing_fraction, now.pressure));
-      return !interrupted();
+      return !interrupted_on_any_rank();
     };
-    dem::CompactionResult made = dem::compact(parameters, show);
-    if (cache)
+    dem::CompactionResult made = dem::compact_on(launched_team().get(), parameters, show);
+    if (cache && is_first_rank())
       cache->keep(parameters, made);
     return made;
   }

@@ -1,6 +1,5 @@
-#include "dem/packing/compaction.h"
-
 #include "base/errors.h"
+#include "dem/packing/compaction_on_ranks.h"
 #include "dem/packing/frictional_assembly.h"
 #include "dem/packing/sequential_placement.h"
 
@@ -60,10 +59,12 @@ namespace dem
     class Compaction
     {
     public:
-      Compaction(const CompactionParameters &p, const std::function<bool(const CompactionProgress &)> &on_progress)
+      Compaction(const CompactionParameters                            &p,
+                 const std::function<bool(const CompactionProgress &)> &on_progress,
+                 Ranks *const                                           ranks)
         : parameters(p)
         , progress(on_progress)
-        , assembly(loose_spheres(p), {p.friction, p.shear_ratio, p.damping, time_step(p), p.moulded})
+        , assembly(loose_spheres(p), {p.friction, p.shear_ratio, p.damping, time_step(p), p.moulded}, ranks)
       {
       }
 
@@ -204,10 +205,17 @@ namespace dem
       std::ceil(spare * expected_packing_fraction(friction) * box.prod() / (4.0 / 3.0 * M_PI * std::pow(radius, 3))));
   }
 
+  CompactionResult compact_on(Ranks *const                                           ranks,
+                              const CompactionParameters                            &parameters,
+                              const std::function<bool(const CompactionProgress &)> &progress)
+  {
+    check(parameters);
+    return Compaction(parameters, progress, ranks).run();
+  }
+
   CompactionResult compact(const CompactionParameters                            &parameters,
                            const std::function<bool(const CompactionProgress &)> &progress)
   {
-    check(parameters);
-    return Compaction(parameters, progress).run();
+    return compact_on(nullptr, parameters, progress);
   }
 } // namespace dem

@@ -13,7 +13,7 @@ namespace dem
 {
   namespace
   {
-    constexpr std::size_t spheres_in_block = 256, lines_in_block = 1024; // a multiple of the pack
+    constexpr std::size_t spheres_in_block = 256;
     /// Below, threads cost more than they spare.
     constexpr std::size_t worth_threads = 4096;
     constexpr double      inertia       = 2.0 / 5.0;
@@ -48,11 +48,11 @@ namespace dem
       return rank;
     }
 
-    base::Column poses(const Packing &start, const std::vector<std::int32_t> &order)
+    base::Column poses(const Packing &start, const std::vector<std::int32_t> &order, const SphereShare &share)
     {
-      base::Column pose(record_size * order.size(), 0.0);
-      for (std::size_t i = 0; i < order.size(); ++i)
-        std::copy_n(start.centre[static_cast<std::size_t>(order[i])].data(), 3, &pose[record_size * i]);
+      base::Column pose(record_size * share.own(), 0.0);
+      for (std::size_t i = 0; i < share.own(); ++i)
+        std::copy_n(start.centre[static_cast<std::size_t>(order[share.first() + i])].data(), 3, &pose[record_size * i]);
       return pose;
     }
 
@@ -122,15 +122,17 @@ namespace dem
     Pack push(const double *const pose) const { return in_low(pose) - in_high(pose); }
   };
 
-  FrictionalAssembly::FrictionalAssembly(const Packing &start, const FrictionalAssemblyParameters &parameters)
+  FrictionalAssembly::FrictionalAssembly(const Packing                      &start,
+                                         const FrictionalAssemblyParameters &parameters,
+                                         Ranks *const                        ranks)
     : material(parameters)
-    , spheres(start.size())
+    , share(start.size(), ranks)
     , order(hilbert_order(start.centre))
     , rank(inverse(order))
     , cell(loose_cell(start), 3)
-    , pose(poses(start, order))
-    , velocity(record_size * spheres, 0.0)
-    , pairs(spheres, pose, cell)
+    , pose(poses(start, order, share))
+    , velocity(record_size * share.own(), 0.0)
+    , pairs(share, pose, cell)
   {
     find_forces();
   }
@@ -157,17 +159,32 @@ namespace dem
       }
   }
 
-  void FrictionalAssembly::find_forces()
+  void FrictionalAssembly::find_forces() { pressure = (pushed_by_pairs() + pushed_by_plates()) / (3 * volume()); }
+
+  double FrictionalAssembly::pushed_by_pairs()
   {
     force.resize(record_size * pairs.lines());
-    std::vector<double> pushed(blocks_of(pairs.lines(), lines_in_block));
-#pragma omp parallel for schedule(static) if (spheres > worth_threads)
-    for (std::size_t b = 0; b < pushed.size(); ++b)
-      pushed[b] = block_forces(b);
-    double sum = 0;
-    for (const double of_block : pushed)
-      sum += of_block;
-    pressure = (sum + pushed_by_plates()) / (3 * volume());
+    const LineBlocks                    &blocks = pairs.blocks();
+    const std::vector<LineBlocks::Part> &parts  = blocks.parts();
+    std::vector<Pack>                    sums(blocks.blocks());
+    LineBlocks::Terms                    head{base::Column(blocks.lines_of_head()), {}};
+    head.other        = head.one;
+    const auto ignore = [](std::size_t, const Pack &, const Pack &) {};
+#pragma omp parallel for schedule(static) if (share.own() > worth_threads)
+    for (std::size_t p = 0; p < parts.size(); ++p)
+      {
+        const auto &[begin, end, kind, number] = parts[p];
+        if (kind == LineBlocks::Part::block)
+          sums[number] = lines_forces(begin, end, ignore);
+        else if (kind == LineBlocks::Part::copy)
+          lines_forces(begin, end, ignore);
+        else
+          lines_forces(begin, end, [&head, from = begin](const std::size_t l, const Pack &normal, const Pack &length) {
+            store(normal, &head.one[l - from]);
+            store(length, &head.other[l - from]);
+          });
+      }
+    return blocks.total(share, sums, head);
   }
 
   Eigen::Vector3d FrictionalAssembly::edges() const
@@ -182,22 +199,26 @@ namespace dem
   {
     if (!material.plates)
       return 0;
-    const Plates plates(edges());
-    Pack         sum(0.0);
-    for (std::size_t i = 0; i < spheres; ++i)
-      {
-        const double *const at  = &pose[record_size * i];
-        const Pack          low = plates.in_low(at), high = plates.in_high(at);
-        sum = sum + (low * (Pack(1.0) - low) + high * (Pack(1.0) - high));
-      }
-    return sum_of(sum);
+    const Plates       plates(edges());
+    alignas(64) Record lanes = {};
+    share.in_turn(lanes, record_size, [&] {
+      Pack sum = load(lanes);
+      for (std::size_t i = 0; i < share.own(); ++i)
+        {
+          const double *const at  = &pose[record_size * i];
+          const Pack          low = plates.in_low(at), high = plates.in_high(at);
+          sum = sum + (low * (Pack(1.0) - low) + high * (Pack(1.0) - high));
+        }
+      store(sum, lanes);
+    });
+    return sum_of(load(lanes));
   }
 
-  double FrictionalAssembly::block_forces(const std::size_t block)
+  template <typename Note>
+  Pack FrictionalAssembly::lines_forces(const std::size_t begin, const std::size_t end, const Note &note)
   {
     const LinearContactNumbers<double> law = law_of(material);
-    const std::size_t begin = block * lines_in_block, end = std::min(begin + lines_in_block, pairs.lines());
-    Pack              pushed(0.0);
+    Pack                               pushed(0.0);
     for (std::size_t l = begin; l < end; l += pack_size)
       {
         const Ends         ends(pairs, pose, cell, l);
@@ -210,6 +231,7 @@ namespace dem
                                                  Pack(reference), slip, shear, unused);
         write(pairs.branch, l, ends.branch);
         write(pairs.shear, l, shear);
+        note(l, answer.normal, length);
         pushed                    = negative_multiply_add(answer.normal, length, pushed);
         const Vec<Pack, 3> pull   = multiply_add(answer.normal, direction, answer.shear),
                            couple = cross(arm, answer.shear);
@@ -218,18 +240,22 @@ namespace dem
         for (std::size_t lane = 0; lane < pack_size; ++lane)
           store(records[lane], &force[record_size * (l + lane)]);
       }
-    return sum_of(pushed);
+    return pushed;
   }
 
   void FrictionalAssembly::move(const double strain)
   {
-    std::vector<double> largest(blocks_of(spheres, spheres_in_block));
-#pragma omp parallel for schedule(static) if (spheres > worth_threads)
+    std::vector<double> largest(blocks_of(share.own(), spheres_in_block));
+#pragma omp parallel for schedule(static) if (share.own() > worth_threads)
     for (std::size_t b = 0; b < largest.size(); ++b)
       largest[b] = block_motion(b, 1 + strain);
+    share.receive(pose);
+    double farthest = 0;
+    for (const double of_block : largest)
+      farthest = std::max(farthest, of_block);
     cell.set_gradient(strain / material.time_step * Eigen::Matrix3d::Identity());
     cell.advance(material.time_step);
-    pairs.follow(pose, cell, 1 + strain, std::sqrt(*std::max_element(largest.begin(), largest.end())));
+    pairs.follow(pose, cell, 1 + strain, std::sqrt(share.largest(farthest)));
   }
 
   double FrictionalAssembly::block_motion(const std::size_t block, const double growth)
@@ -238,7 +264,7 @@ namespace dem
     const Pack        kept = Pack(growth) * centre, step(material.time_step);
     Pack              largest(0.0);
     const Plates      plates(edges());
-    const std::size_t begin = block * spheres_in_block, end = std::min(begin + spheres_in_block, spheres);
+    const std::size_t begin = block * spheres_in_block, end = std::min(begin + spheres_in_block, share.own());
     for (std::size_t i = begin; i < end; ++i)
       {
         Pack sum = material.plates ? plates.push(&pose[record_size * i]) : Pack(0.0);
@@ -257,70 +283,94 @@ namespace dem
     return 3 * largest_of(largest);
   }
 
+  std::vector<Eigen::Vector3d> FrictionalAssembly::unbalanced_forces(double &pushing, double &contacts) const
+  {
+    std::vector<Eigen::Vector3d> unbalanced(share.own(), Eigen::Vector3d::Zero());
+    std::vector<double>          sizes; // of what is added up in the order of all
+    const auto                   push = [&](const std::int32_t record, const Eigen::Vector3d &pull) {
+      if (const auto sphere = static_cast<std::size_t>(record); sphere < share.own())
+        unbalanced[sphere] += pull;
+    };
+    const auto own_first = pairs.own().first;
+    for (const auto &lines : {pairs.copies(), pairs.own()})
+      for (std::size_t l = lines.first; l < lines.second; ++l)
+        {
+          const Eigen::Vector3d pull(&force[record_size * l]);
+          const double          size = pull.norm();
+          if (size == 0)
+            continue;
+          push(pairs.first[l], pull);
+          push(pairs.second[l], -pull);
+          if (l >= own_first)
+            sizes.push_back(size);
+        }
+    double numbers[] = {0, 0};
+    share.in_turn(numbers, std::size(numbers), [&] {
+      for (const double size : sizes)
+        numbers[0] += size;
+      numbers[1] += static_cast<double>(sizes.size());
+    });
+    pushing  = numbers[0];
+    contacts = numbers[1];
+    return unbalanced;
+  }
+
   AssemblyMeasures FrictionalAssembly::measures() const
   {
-    std::vector<Eigen::Vector3d> unbalanced(spheres, Eigen::Vector3d::Zero());
-    double                       pushing  = 0;
-    std::int64_t                 contacts = 0;
-    for (std::size_t l = 0; l < pairs.size(); ++l)
-      {
-        const Eigen::Vector3d pull(&force[record_size * l]);
-        const double          size = pull.norm();
-        if (size == 0)
-          continue;
-        ++contacts;
-        pushing += size;
-        unbalanced[static_cast<std::size_t>(pairs.first[l])] += pull;
-        unbalanced[static_cast<std::size_t>(pairs.second[l])] -= pull;
-      }
-    std::int64_t touching = contacts;
-    if (material.plates)
-      {
-        const Plates       plates(edges());
-        alignas(64) Record push[2];
-        for (std::size_t i = 0; i < spheres; ++i)
+    double                       pushing = 0, contacts = 0;
+    std::vector<Eigen::Vector3d> unbalanced = unbalanced_forces(pushing, contacts);
+    double                       numbers[]  = {pushing, contacts, 0};
+    double                      &pushed = numbers[0], &touching = numbers[1], &sum = numbers[2];
+    const auto                   push_by_plates = [&, plates = Plates(edges())](const std::size_t i) {
+      alignas(64) Record push[2];
+      store(plates.in_low(&pose[record_size * i]), push[0]);
+      store(plates.in_high(&pose[record_size * i]), push[1]);
+      unbalanced[i] += Eigen::Vector3d(push[0]) - Eigen::Vector3d(push[1]);
+      for (const Record &of_side : push)
+        for (int d = 0; d < 3; ++d)
           {
-            store(plates.in_low(&pose[record_size * i]), push[0]);
-            store(plates.in_high(&pose[record_size * i]), push[1]);
-            unbalanced[i] += Eigen::Vector3d(push[0]) - Eigen::Vector3d(push[1]);
-            for (const Record &of_side : push)
-              for (int d = 0; d < 3; ++d)
-                {
-                  pushing += of_side[d];
-                  touching += of_side[d] > 0;
-                }
+            pushed += of_side[d];
+            touching += of_side[d] > 0;
           }
-      }
-    double sum = 0;
-    for (const Eigen::Vector3d &of_sphere : unbalanced)
-      sum += of_sphere.norm();
+    };
+    share.in_turn(numbers, std::size(numbers), [&] {
+      for (std::size_t i = 0; i < share.own(); ++i)
+        {
+          if (material.plates)
+            push_by_plates(i);
+          sum += unbalanced[i].norm();
+        }
+    });
     const double ratio = touching == 0 ? std::numeric_limits<double>::infinity() :
-                                         sum / static_cast<double>(spheres) / (pushing / static_cast<double>(touching));
-    return {pressure, ratio, contacts};
+                                         sum / static_cast<double>(share.all()) / (pushed / touching);
+    return {pressure, ratio, static_cast<std::int64_t>(contacts)};
   }
 
   double FrictionalAssembly::mean_overlap() const
   {
-    double       sum      = 0;
-    std::int64_t contacts = 0;
-    for (std::size_t l = 0; l < pairs.size(); ++l)
-      {
-        const double overlap = 2 - Eigen::Vector3d(pairs.branch[0][l], pairs.branch[1][l], pairs.branch[2][l]).norm();
-        if (overlap <= 0)
-          continue;
-        ++contacts;
-        sum += overlap;
-      }
-    return contacts == 0 ? 0.0 : sum / static_cast<double>(contacts);
+    double  numbers[] = {0, 0};
+    double &sum = numbers[0], &contacts = numbers[1];
+    share.in_turn(numbers, std::size(numbers), [&] {
+      for (std::size_t l = pairs.own().first; l < pairs.own().second; ++l)
+        {
+          const double overlap = 2 - Eigen::Vector3d(pairs.branch[0][l], pairs.branch[1][l], pairs.branch[2][l]).norm();
+          if (overlap <= 0)
+            continue;
+          ++contacts;
+          sum += overlap;
+        }
+    });
+    return contacts == 0 ? 0.0 : sum / contacts;
   }
 
   std::vector<Eigen::Vector3d> FrictionalAssembly::centres() const
   {
-    const Eigen::Vector3d        box = edges();
-    std::vector<Eigen::Vector3d> result(spheres);
-    for (std::size_t i = 0; i < spheres; ++i)
+    const Eigen::Vector3d              box = edges();
+    std::vector<Eigen::Vector3d>       result(share.all());
+    const std::vector<Eigen::Vector3d> places = share.all_places(pose);
+    for (std::size_t i = 0; i < places.size(); ++i)
       {
-        const Eigen::Vector3d x(&pose[record_size * i]);
+        const Eigen::Vector3d &x = places[i];
         for (int d = 0; d < 3; ++d)
           result[static_cast<std::size_t>(order[i])][d] =
             material.plates ? x[d] : x[d] - box[d] * std::floor(x[d] / box[d]);

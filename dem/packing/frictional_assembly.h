@@ -43,17 +43,19 @@ namespace dem
    * first order in the step, and nothing is accounted for, which makes a step a third of the work
    * (doc/theory/packing.md, 1).
    *
-   * The same to the last bit for any number of threads.
+   * The same to the last bit for any number of threads, and of ranks: each has spheres and pairs of its own (SphereShare), all make the same calls.
    */
   class FrictionalAssembly
   {
   public:
-    /** @param start equal spheres of radius 1 in a periodic cell, at rest */
-    FrictionalAssembly(const Packing &start, const FrictionalAssemblyParameters &parameters);
+    /** @param start equal spheres of radius 1 in a periodic cell, at rest @param ranks null: this process alone; otherwise they outlive this object */
+    FrictionalAssembly(const Packing &start, const FrictionalAssemblyParameters &parameters, Ranks *ranks = nullptr);
+    FrictionalAssembly(const FrictionalAssembly &)            = delete; // pairs know the share
+    FrictionalAssembly &operator=(const FrictionalAssembly &) = delete;
 
-    /** Before the first step: give a sphere a velocity [radius/sqrt(mass/k_n)] and a spin [1/sqrt(mass/k_n)]. */
+    /** Before the first step, alone: give a sphere a velocity [radius/sqrt(mass/k_n)] and a spin [1/sqrt(mass/k_n)]. */
     void            set_motion(std::size_t sphere, const Eigen::Vector3d &velocity, const Eigen::Vector3d &spin);
-    Eigen::Vector3d spin(std::size_t sphere) const; ///< half a step before now [1/sqrt(mass/k_n)]
+    Eigen::Vector3d spin(std::size_t sphere) const; ///< alone: half a step before now [1/sqrt(mass/k_n)]
 
     /** Steps, in each of which every length of the cell grows by the factor 1 + strain(pressure at its start). */
     void advance(std::int64_t steps, const std::function<double(double)> &strain);
@@ -68,14 +70,19 @@ namespace dem
     struct Plates;
 
     void   find_forces();
-    double pushed_by_plates() const; ///< sum of force times distance
+    double pushed_by_pairs();        ///< sum of force times distance
+    double pushed_by_plates() const; ///< the same
     double volume() const;
-    double block_forces(std::size_t block); ///< @return sum of force times distance
-    void   move(double strain);
+    /** Forces of some lines. @param note called with the line, the forces and the distances of a pack @return minus the sum of their products, in lanes */
+    template <typename Note>
+    Pack lines_forces(std::size_t begin, std::size_t end, const Note &note);
+    /** What each own sphere is pushed by others. @param numbers added up: forces, and how many */
+    std::vector<Eigen::Vector3d> unbalanced_forces(double &pushing, double &contacts) const;
+    void                         move(double strain);
     double block_motion(std::size_t block, double growth); ///< @return square of the largest displacement
 
     FrictionalAssemblyParameters material;
-    std::size_t                  spheres;
+    SphereShare                  share;
     std::vector<std::int32_t>    order, rank; ///< spheres lie along a curve that fills space: neighbours near in memory
     Cell                         cell;
     base::Column                 pose;     ///< records: centre (3), turn of the last step (3), - -

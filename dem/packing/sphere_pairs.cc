@@ -23,13 +23,7 @@ namespace dem
       return Eigen::Vector3d(&places[record_size * sphere]);
     }
 
-    std::vector<Eigen::Vector3d> all_places(const base::Column &places)
-    {
-      std::vector<Eigen::Vector3d> all(places.size() / record_size);
-      for (std::size_t i = 0; i < all.size(); ++i)
-        all[i] = place(places, i);
-      return all;
-    }
+    std::size_t whole_packs(const std::size_t lines) { return (lines + pack_size - 1) / pack_size * pack_size; }
 
     /** From counts, one place late, to where each begins. */
     void sum_up(std::vector<std::int32_t> &counts)
@@ -39,10 +33,12 @@ namespace dem
     }
   } // namespace
 
-  void SpherePairs::Start::note(const base::Column &now, const Cell &cell)
+  void SpherePairs::Start::note(const base::Column &now, const std::size_t spheres, const Cell &cell)
   {
-    places = all_places(now);
-    edge   = cell.base()(0, 0);
+    places.resize(spheres);
+    for (std::size_t i = 0; i < spheres; ++i)
+      places[i] = place(now, i);
+    edge = cell.base()(0, 0);
   }
 
   double SpherePairs::Start::strayed(const base::Column &now, const Cell &cell) const
@@ -54,87 +50,129 @@ namespace dem
     return std::sqrt(largest);
   }
 
-  SpherePairs::SpherePairs(const std::size_t count, const base::Column &places, Cell &cell)
-    : spheres(count)
+  SpherePairs::SpherePairs(SphereShare &of_rank, base::Column &places, Cell &cell)
+    : share(of_rank)
     , never(cell.enter({127, 0, 0}))
   {
     search(places, cell);
     pick(places, cell);
   }
 
-  void SpherePairs::follow(const base::Column &places, Cell &cell, const double growth, const double largest)
+  void SpherePairs::follow(base::Column &places, Cell &cell, const double growth, const double largest)
   {
     path                 = growth * path + largest;
     const double farther = picked.growth(cell) * near_reach;
     if (farther - 2 * path >= touching)
       return;
-    path = picked.strayed(places, cell); // the path is longer than the way
+    path = share.largest(picked.strayed(places, cell)); // the path is longer than the way
     if (farther - 2 * path >= touching + spare)
       return;
-    if (searched.growth(cell) * wide_reach - 2 * searched.strayed(places, cell) < near_reach)
+    if (searched.growth(cell) * wide_reach - 2 * share.largest(searched.strayed(places, cell)) < near_reach)
       search(places, cell);
     pick(places, cell);
   }
 
-  void SpherePairs::search(const base::Column &places, Cell &cell)
+  void SpherePairs::search(base::Column &places, Cell &cell)
   {
     const Wide before = std::move(wide);
-    searched.note(places, cell);
-    const std::vector<NeighbourPair> found = find_pairs(searched.places, std::vector<double>(spheres, 1.0), 1.0,
-                                                        wide_reach - touching, Eigen::Vector3d(cell.base().diagonal()));
-    wide                                   = {};
-    wide.begin.assign(spheres + 1, 0);
-    wide.line.assign(found.size(), -1);
-    for (std::size_t k = 0; k < found.size(); ++k)
+    wide              = {};
+    searched.note(places, share.own(), cell);
+    wide.pair = find_pairs(share.all_places(places), std::vector<double>(share.all(), 1.0), 1.0, wide_reach - touching,
+                           Eigen::Vector3d(cell.base().diagonal()), share.range());
+    wide.line.assign(wide.pair.size(), -1);
+    std::size_t old = 0;
+    for (std::size_t k = 0; k < wide.pair.size(); ++k)
       {
-        const auto i = static_cast<std::size_t>(found[k].first);
-        ++wide.begin[i + 1];
-        wide.second.push_back(found[k].second);
-        wide.image.push_back(cell.enter(found[k].shift));
-        if (before.begin.empty())
-          continue;
-        for (std::int32_t o = before.begin[i]; o < before.begin[i + 1]; ++o)
-          if (before.second[o] == wide.second[k] && before.image[o] == wide.image[k])
-            wide.line[k] = before.line[o];
+        wide.image.push_back(cell.enter(wide.pair[k].shift));
+        while (old < before.pair.size() && before.pair[old] < wide.pair[k])
+          ++old;
+        if (old < before.pair.size() && before.pair[old] == wide.pair[k])
+          wide.line[k] = before.line[old];
       }
-    sum_up(wide.begin);
+    choose_ghosts(places);
+  }
+
+  void SpherePairs::choose_ghosts(base::Column &places)
+  {
+    std::vector<std::int32_t> needed;
+    for (const NeighbourPair &pair : wide.pair)
+      for (const std::int32_t sphere : {pair.first, pair.second})
+        if (!share.owns(sphere))
+          needed.push_back(sphere);
+    std::sort(needed.begin(), needed.end());
+    needed.erase(std::unique(needed.begin(), needed.end()), needed.end());
+    share.set_ghosts(std::move(needed));
+    places.resize(record_size * share.here());
+    share.receive(places);
   }
 
   void SpherePairs::pick(const base::Column &places, Cell &cell)
   {
-    std::vector<std::int32_t> from; // lines before
-    first.clear(), second.clear(), image.clear();
-    own_begin.assign(spheres + 1, 0);
-    for (std::size_t i = 0; i < spheres; ++i)
+    std::vector<std::int32_t> near; // of the wide list
+    for (std::size_t k = 0; k < wide.pair.size(); ++k)
       {
-        for (std::int32_t k = wide.begin[i]; k < wide.begin[i + 1]; ++k)
-          {
-            const Eigen::Vector3d apart = place(places, static_cast<std::size_t>(wide.second[k])) +
-                                          Eigen::Vector3d(&cell.offset[record_size * wide.image[k]]) - place(places, i);
-            const bool near = apart.squaredNorm() < near_reach * near_reach;
-            if (near)
-              {
-                from.push_back(wide.line[k]);
-                first.push_back(static_cast<std::int32_t>(i));
-                second.push_back(wide.second[k]);
-                image.push_back(wide.image[k]);
-              }
-            wide.line[k] = near ? static_cast<std::int32_t>(first.size()) - 1 : -1;
-          }
-        own_begin[i + 1] = static_cast<std::int32_t>(first.size());
+        const Eigen::Vector3d apart = place(places, static_cast<std::size_t>(share.record_of(wide.pair[k].second))) +
+                                      Eigen::Vector3d(&cell.offset[record_size * wide.image[k]]) -
+                                      place(places, static_cast<std::size_t>(share.record_of(wide.pair[k].first)));
+        if (apart.squaredNorm() < near_reach * near_reach)
+          near.push_back(static_cast<std::int32_t>(k));
+        else
+          wide.line[k] = -1;
       }
-    pairs                    = first.size();
-    const std::size_t filled = (pairs + pack_size - 1) / pack_size * pack_size;
-    from.resize(filled, -1), first.resize(filled, 0), second.resize(filled, 0), image.resize(filled, never);
-    carry_memory(from, filled);
-    for (std::size_t l = 0; l < filled; ++l)
+    const std::vector<std::int32_t> from = enter(near);
+    carry_memory(from, lines());
+    for (std::size_t l = 0; l < lines(); ++l)
       if (from[l] < 0)
         for (std::size_t d = 0; d < 3; ++d)
           branch[d][l] = places[record_size * second[l] + d] + cell.offset[record_size * image[l] + d] -
                          places[record_size * first[l] + d];
     enter_seconds();
-    picked.note(places, cell);
+    picked.note(places, share.own(), cell);
     path = 0;
+  }
+
+  void SpherePairs::enter_line(const std::int32_t wide_pair, std::vector<std::int32_t> &from)
+  {
+    const auto k = static_cast<std::size_t>(wide_pair);
+    from.push_back(wide.line[k]);
+    wide.line[k] = static_cast<std::int32_t>(first.size());
+    first.push_back(share.record_of(wide.pair[k].first));
+    second.push_back(share.record_of(wide.pair[k].second));
+    image.push_back(wide.image[k]);
+  }
+
+  void SpherePairs::fill(const std::size_t to, std::vector<std::int32_t> &from)
+  {
+    from.resize(to, -1), first.resize(to, 0), second.resize(to, 0), image.resize(to, never);
+  }
+
+  std::vector<std::int32_t> SpherePairs::enter(const std::vector<std::int32_t> &near)
+  {
+    std::vector<std::int32_t> from;
+    first.clear(), second.clear(), image.clear();
+    const auto is_copy = [&](const std::int32_t k) {
+      return !share.owns(wide.pair[static_cast<std::size_t>(k)].first);
+    };
+    const auto own_near = std::partition_point(near.begin(), near.end(), is_copy); // firsts of copies are lower
+    for (auto k = near.begin(); k != own_near; ++k)
+      enter_line(*k, from);
+    copied                           = first.size();
+    std::vector<std::int64_t> begins = share.begins(near.end() - own_near);
+    const std::size_t         full = whole_packs(copied), before = begins[share.rank()] % pack_size;
+    own_first = own_end = full + (own_near == near.end() ? 0 : before);
+    fill(own_first, from);
+    own_begin.assign(share.own() + 1, 0);
+    for (auto k = own_near; k != near.end(); ++k)
+      {
+        enter_line(*k, from);
+        ++own_begin[static_cast<std::size_t>(first.back()) + 1];
+      }
+    own_end           = first.size();
+    own_begin.front() = static_cast<std::int32_t>(own_first);
+    sum_up(own_begin);
+    fill(whole_packs(own_end), from);
+    line_blocks.plan(share, std::move(begins), full, own_first, lines());
+    return from;
   }
 
   void SpherePairs::carry_memory(const std::vector<std::int32_t> &from, const std::size_t count)
@@ -152,13 +190,17 @@ namespace dem
 
   void SpherePairs::enter_seconds()
   {
-    other_begin.assign(spheres + 1, 0);
-    for (std::size_t l = 0; l < pairs; ++l)
-      ++other_begin[second[l] + 1];
+    const auto each_own = [&](const auto &use) {
+      for (const auto &[begin, end] : {copies(), own()})
+        for (std::size_t l = begin; l < end; ++l)
+          if (const auto sphere = static_cast<std::size_t>(second[l]); sphere < share.own())
+            use(sphere, static_cast<std::int32_t>(l));
+    };
+    other_begin.assign(share.own() + 1, 0);
+    each_own([&](const std::size_t sphere, std::int32_t) { ++other_begin[sphere + 1]; });
     sum_up(other_begin);
-    others.resize(pairs);
+    others.resize(static_cast<std::size_t>(other_begin.back()));
     std::vector<std::int32_t> next(other_begin.begin(), other_begin.end() - 1);
-    for (std::size_t l = 0; l < pairs; ++l)
-      others[next[second[l]]++] = static_cast<std::int32_t>(l);
+    each_own([&](const std::size_t sphere, const std::int32_t line) { others[next[sphere]++] = line; });
   }
 } // namespace dem

@@ -2,6 +2,7 @@
 
 #include "dem/core/memory_pages.h"
 #include "dem/model/column_memory.h"
+#include "dem/ranks/in_turn.h"
 #include "dem/specimen/few_lines.h"
 #include "dem/specimen/shared_work.h"
 
@@ -277,20 +278,10 @@ namespace dem
   void
   SharedWork::relay(const std::vector<std::size_t> &begin, const OfLines &use, double *numbers, const std::size_t count)
   {
-    for (std::size_t r = 0; r < size(); ++r)
-      {
-        if (r == rank() && begin[r + 1] > begin[r])
-          use(begin[r], begin[r + 1]);
-        std::vector<RankMessage> to_next, from_last;
-        if (r == rank() && r + 1 < size())
-          to_next.push_back({r + 1, std::vector<double>(numbers, numbers + count)});
-        if (r + 1 == rank())
-          from_last.push_back({r, std::vector<double>(count)});
-        if (r + 1 < size())
-          ranks->exchange(to_next, from_last);
-        if (!from_last.empty())
-          std::copy_n(from_last.front().numbers.data(), count, numbers);
-      }
+    pass_along(*ranks, numbers, count, [&] {
+      if (begin[rank() + 1] > begin[rank()])
+        use(begin[rank()], begin[rank() + 1]);
+    });
     std::vector<std::size_t> of_last(size() + 1, 0);
     of_last.back() = count * sizeof(double);
     gather(numbers, of_last);
