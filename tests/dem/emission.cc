@@ -274,7 +274,7 @@ TEST_CASE("window of emission has the shear wave of the cell's affine stiffness,
   const auto check = [](const dem::Packing &packing, const int dimension, const double volume) {
     dem::SpecimenParameters  parameters = periodic_fixture::elastic(1.5, dimension);
     const dem::CpmParameters law        = periodic_fixture::unit_links(0.3);
-    dem::SpecimenCore        core(packing, parameters, law);
+    dem::SpecimenCore        core(packing, parameters, law, nullptr);
     const base::Matrix6      C = dem::Specimen(packing, parameters, law).affine_stiffness();
     // Voigt's average of the shear modulus; in the plane that of its own shears.
     const double G =
