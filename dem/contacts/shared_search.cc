@@ -62,10 +62,9 @@ namespace dem
   {
     if (!ranks)
       return {};
-    std::vector<std::int32_t> begin;
-    for (const std::size_t brick : even_ranges(std::vector<std::int64_t>(particle_blocks(particles), 1), ranks->size()))
-      begin.push_back(static_cast<std::int32_t>(std::min(brick * particles_per_brick, particles)));
-    return {ranks->rank(), std::move(begin),
-            [ranks](void *array, const std::vector<std::size_t> &bytes) { ranks->gather(array, bytes); }};
+    const std::vector<std::size_t> begin = ranges_by_number(particles, ranks->size());
+    return {ranks->rank(), {begin.begin(), begin.end()}, [ranks](void *array, const std::vector<std::size_t> &bytes) {
+              ranks->gather(array, bytes);
+            }};
   }
 } // namespace dem

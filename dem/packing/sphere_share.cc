@@ -3,6 +3,7 @@
 #include "dem/core/records.h"
 #include "dem/ranks/bricks.h"
 #include "dem/ranks/in_turn.h"
+#include "dem/ranks/of_each_rank.h"
 
 #include <algorithm>
 #include <utility>
@@ -20,10 +21,8 @@ namespace dem
   {
     if (!ranks)
       return;
-    self = ranks->rank();
-    begin.clear();
-    for (const std::size_t brick : even_ranges(std::vector<std::int64_t>(particle_blocks(spheres), 1), ranks->size()))
-      begin.push_back(std::min(brick * particles_per_brick, spheres));
+    self  = ranks->rank();
+    begin = ranges_by_number(spheres, ranks->size());
   }
 
   PairsOf SphereShare::range() const
@@ -108,13 +107,8 @@ namespace dem
   {
     if (!ranks)
       return {0, here};
-    std::vector<std::int64_t> count(ranks->size()), sums(1, 0);
-    std::vector<std::size_t>  bytes;
-    for (std::size_t r = 0; r <= ranks->size(); ++r)
-      bytes.push_back(r * sizeof(std::int64_t));
-    count[self] = here;
-    ranks->gather(count.data(), bytes);
-    for (const std::int64_t each : count)
+    std::vector<std::int64_t> sums(1, 0);
+    for (const std::int64_t each : of_each_rank(*ranks, here))
       sums.push_back(sums.back() + each);
     return sums;
   }

@@ -36,4 +36,12 @@ namespace dem
     first[ranks] = work.size();
     return first;
   }
+
+  std::vector<std::size_t> ranges_by_number(const std::size_t particles, const std::size_t ranks)
+  {
+    std::vector<std::size_t> first = even_ranges(std::vector<std::int64_t>(particle_blocks(particles), 1), ranks);
+    for (std::size_t &each : first)
+      each = std::min(each * particles_per_brick, particles);
+    return first;
+  }
 } // namespace dem

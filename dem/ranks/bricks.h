@@ -35,4 +35,7 @@ namespace dem
    * @return the first brick of each range, and behind the last; ranks + 1 numbers @throws std::invalid_argument for no rank
    */
   std::vector<std::size_t> even_ranges(const std::vector<std::int64_t> &work, std::size_t ranks);
+
+  /** Particles of ranks that have as many bricks each, as nothing is known of their work: the first of each, and behind the last. */
+  std::vector<std::size_t> ranges_by_number(std::size_t particles, std::size_t ranks);
 } // namespace dem

@@ -3,6 +3,7 @@
 #include "dem/core/simd.h"
 #include "dem/model/column_memory.h"
 #include "dem/ranks/exchange_cost.h"
+#include "dem/ranks/of_each_rank.h"
 #include "dem/ranks/shares.h"
 #include "dem/specimen/rank_shares.h"
 #include "dem/specimen/shared_work.h"
@@ -25,18 +26,6 @@ namespace dem
       for (std::size_t k = 0; k + 1 < links.first_block.size(); ++k)
         of.emplace_back(links.first_block[k], links.first_block[k + 1]);
       return of;
-    }
-
-    template <typename Record>
-    std::vector<Record> of_each_rank(Ranks &ranks, const Record &own)
-    {
-      std::vector<Record>      all(ranks.size());
-      std::vector<std::size_t> begin;
-      for (std::size_t r = 0; r <= ranks.size(); ++r)
-        begin.push_back(r * sizeof(Record));
-      all[ranks.rank()] = own;
-      ranks.gather(all.data(), begin);
-      return all;
     }
   } // namespace
 
