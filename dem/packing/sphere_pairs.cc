@@ -159,7 +159,7 @@ namespace dem
     copied                           = first.size();
     std::vector<std::int64_t> begins = share.begins(near.end() - own_near);
     const std::size_t         full = whole_packs(copied), before = begins[share.rank()] % pack_size;
-    own_first = own_end = full + (own_near == near.end() ? 0 : before);
+    own_first = full + (own_near == near.end() ? 0 : before);
     fill(own_first, from);
     own_begin.assign(share.own() + 1, 0);
     for (auto k = own_near; k != near.end(); ++k)
