@@ -1,6 +1,9 @@
 #include "apps/specimens/genesis_cache.h"
 
+#include "apps/process/mpi_ranks.h"
+#include "apps/process/mpi_session.h"
 #include "base/flat_state.h"
+#include "dem/ranks/from_first.h"
 #include "postprocess/files/digest.h"
 
 #include <fmt/format.h>
@@ -55,24 +58,17 @@ namespace apps
     return folder.file_of(key_of(parameters), grown);
   }
 
-  bool GenesisCache::finish(dem::Genesis &genesis, const dem::GenesisParameters &parameters) const
+  std::optional<base::Column> GenesisCache::find(const dem::GenesisParameters &parameters) const
   {
     std::optional<base::Column> state;
-    if (!folder.find(key_of(parameters), grown, [&](const postprocess::hdf5::InputFile &file) {
-          state = state_in(file);
-          return state.has_value();
-        }))
-      return false;
-    base::FlatStateReader reader(*state);
-    genesis.visit_state(reader);
-    return true;
+    folder.find(key_of(parameters), grown, [&](const postprocess::hdf5::InputFile &file) {
+      state = state_in(file);
+      return state.has_value();
+    });
+    return state;
   }
 
-  bool GenesisCache::has(const dem::GenesisParameters &parameters) const
-  {
-    return folder.find(key_of(parameters), grown,
-                       [](const postprocess::hdf5::InputFile &file) { return state_in(file).has_value(); });
-  }
+  bool GenesisCache::has(const dem::GenesisParameters &parameters) const { return find(parameters).has_value(); }
 
   void GenesisCache::keep(dem::Genesis &genesis, const dem::GenesisParameters &parameters) const
   {
@@ -87,5 +83,27 @@ namespace apps
   {
     auto folder = packing_cache_folder();
     return folder ? std::optional(GenesisCache(std::move(*folder))) : std::nullopt;
+  }
+
+  bool finish_as_kept(const std::optional<GenesisCache> &cache,
+                      dem::Genesis                      &genesis,
+                      const dem::GenesisParameters      &parameters)
+  {
+    std::optional<base::Column> state;
+    if (cache && is_first_rank())
+      state = cache->find(parameters);
+    if (!on_any_rank(state.has_value()))
+      return false;
+    if (const std::shared_ptr<dem::Ranks> ranks = launched_team())
+      {
+        std::int64_t count = state ? static_cast<std::int64_t>(state->size()) : 0;
+        dem::take_from_first(*ranks, &count, 1);
+        if (!state)
+          state.emplace(static_cast<std::size_t>(count));
+        dem::take_from_first(*ranks, state->data(), state->size());
+      }
+    base::FlatStateReader reader(*state);
+    genesis.visit_state(reader);
+    return true;
   }
 } // namespace apps

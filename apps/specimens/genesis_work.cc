@@ -1,6 +1,6 @@
 #include "apps/specimens/genesis_work.h"
 
-#include "apps/process/interrupt.h"
+#include "apps/process/mpi_ranks.h"
 #include "apps/process/mpi_session.h"
 #include "apps/process/progress.h"
 #include "apps/process/version.h"
@@ -26,7 +26,7 @@ namespace apps
     : specimen(section)
     , dimension(in_dimension)
     , parameters(section.genesis.parameters(in_dimension, section.thickness))
-    , genesis(parameters)
+    , genesis(parameters, launched_team())
   {
   }
 
@@ -36,11 +36,7 @@ namespace apps
     return cache && cache->has(parameters);
   }
 
-  void GenesisWork::take_kept()
-  {
-    if (const std::optional<GenesisCache> cache = genesis_cache())
-      cache->finish(genesis, parameters);
-  }
+  void GenesisWork::take_kept() { finish_as_kept(genesis_cache(), genesis, parameters); }
 
   void GenesisWork::advance()
   {
@@ -54,6 +50,7 @@ namespace apps
       steps_at_once /= 2;
     if (!genesis.finished())
       return;
+    genesis.gather();
     if (const std::optional<GenesisCache> cache = genesis_cache(); cache && is_first_rank())
       cache->keep(genesis, parameters);
   }
@@ -145,7 +142,7 @@ namespace apps
       {
         work.advance();
         progress.update(work.done(), work.details());
-        if (interrupted())
+        if (interrupted_on_any_rank())
           throw dem::CompactionCancelled();
       }
     return work.packing();

@@ -10,16 +10,19 @@
 
 namespace apps
 {
-  /** Particles of a scene while they grow, piece by piece, so that a run can save and go on; what has grown before is taken from genesis_cache(). */
+  /**
+   * Particles of a scene while they grow, piece by piece, so that a run can save and go on; what has grown before is taken from genesis_cache(). Ranks
+   * that mpirun has started share the work; of what has finished each may read alone.
+   */
   class GenesisWork
   {
   public:
     /** @param specimen with Source = genesis, validated. @throws base::InputError */
     GenesisWork(const SpecimenSection &specimen, int dimension);
 
-    /** Whether it has grown before, and is kept. */
+    /** Whether it has grown before, and is kept here. */
     bool is_kept() const;
-    /** Take it as it was kept; otherwise it is to grow. */
+    /** Take it as the first rank has kept it; otherwise it is to grow. Called by all ranks. */
     void take_kept();
 
     bool         finished() const { return genesis.finished(); }

@@ -2,7 +2,7 @@
 
 #include "apps/process/mpi_ranks.h"
 #include "apps/process/mpi_session.h"
-#include "dem/ranks/ranks.h"
+#include "dem/ranks/from_first.h"
 
 #include <fmt/format.h>
 
@@ -69,16 +69,6 @@ namespace apps
       file.read("steps", &kept.steps);
       return kept.result(p);
     }
-
-    /** From the first rank to all. */
-    template <typename Number>
-    void give(dem::Ranks &ranks, Number *const numbers, const std::size_t count)
-    {
-      static_assert(sizeof(Number) == sizeof(double), "what is gathered consists of whole doubles");
-      std::vector<std::size_t> bytes(ranks.size() + 1, count * sizeof(Number));
-      bytes.front() = 0;
-      ranks.gather(numbers, bytes);
-    }
   } // namespace
 
   PackingCache::PackingCache(CacheFolder where)
@@ -132,10 +122,10 @@ namespace apps
     if (!ranks || !on_any_rank(found.has_value()))
       return found;
     Kept kept = found ? Kept(*found) : Kept(parameters);
-    give(*ranks, kept.centres.data(), kept.centres.size());
-    give(*ranks, kept.cell.data(), kept.cell.size());
-    give(*ranks, kept.figures.data(), kept.figures.size());
-    give(*ranks, &kept.steps, 1);
+    dem::take_from_first(*ranks, kept.centres.data(), kept.centres.size());
+    dem::take_from_first(*ranks, kept.cell.data(), kept.cell.size());
+    dem::take_from_first(*ranks, kept.figures.data(), kept.figures.size());
+    dem::take_from_first(*ranks, &kept.steps, 1);
     return kept.result(parameters);
   }
 } // namespace apps

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <functional>
 #include <sstream>
+#include <utility>
 
 namespace dem
 {
@@ -74,7 +75,7 @@ namespace dem
       }
   }
 
-  Genesis::Genesis(const GenesisParameters &p)
+  Genesis::Genesis(const GenesisParameters &p, std::shared_ptr<Ranks> ranks, const std::int64_t move_every)
     : parameters(p)
   {
     p.check();
@@ -89,6 +90,8 @@ namespace dem
     longest_change = longest_stress_change;
     assembly       = std::make_unique<GrowingAssembly>(made.packing, p.vessel, p.material);
     assembly->set_friction(p.growth_friction);
+    if (ranks)
+      assembly->share_among(std::move(ranks), move_every);
   }
 
   void Genesis::advance(const std::int64_t steps)

@@ -69,17 +69,26 @@ namespace dem
   /**
    * Particles on their way from random places to a packing under a low isotropic stress: growth, radii for the stress, radii for floaters.
    * It is advanced in pieces, between which it can be saved; the same parameters give the same packing to the last bit for any number of
-   * threads.
+   * threads and ranks. Ranks call all members but now(), done(), details(), size(), steps(), reports() and inserted_with_overlap() together;
+   * of one that has finished each may read alone after gather().
    */
   class Genesis
   {
   public:
-    /** Put the particles in at half their size. @throws base::InputError */
-    explicit Genesis(const GenesisParameters &parameters);
+    /**
+     * Put the particles in at half their size.
+     * @param ranks that share the work of their motion; null: this process alone @param move_every as of SharedWork
+     * @throws base::InputError
+     */
+    explicit Genesis(const GenesisParameters &parameters,
+                     std::shared_ptr<Ranks>   ranks      = nullptr,
+                     std::int64_t             move_every = 0);
 
     bool finished() const { return stage == GenesisStage::done; }
     /** About so many steps more, at most to the end. */
     void advance(std::int64_t steps);
+    /** Let all ranks have all of it. */
+    void gather() { assembly->gather(); }
 
     GenesisStage now() const { return stage; }
     double       done() const;    ///< part of the whole work, a rough guess in [0, 1]

@@ -1,6 +1,5 @@
 #include "dem/genesis/growing_assembly.h"
 
-#include "dem/genesis/block_sums.h"
 #include "dem/model/materials.h"
 
 #include <algorithm>
@@ -107,34 +106,45 @@ namespace dem
     look_for_walls();
   }
 
+  void GrowingAssembly::fit_contact(const std::size_t l)
+  {
+    const double one   = particles.radius_of(static_cast<std::size_t>(contacts.first[l])),
+                 other = particles.radius_of(static_cast<std::size_t>(contacts.second[l]));
+    for (base::Column &of : contacts.history)
+      of[l] *= contacts.reference_length[l] / (one + other); // the same displacement
+    contacts.reference_length[l] = one + other;
+    contacts.area[l]             = shape.link_area(one, other);
+  }
+
   void GrowingAssembly::fit_contacts()
   {
-    for (std::size_t l = 0; l < contacts.count; ++l)
-      if (contacts.is_alive(l))
-        {
-          const double one   = particles.radius_of(static_cast<std::size_t>(contacts.first[l])),
-                       other = particles.radius_of(static_cast<std::size_t>(contacts.second[l]));
-          for (std::size_t c = 0; c < contacts.history.size(); ++c)
-            contacts.history[c][l] *= contacts.reference_length[l] / (one + other); // the same displacement
-          contacts.reference_length[l] = one + other;
-          contacts.area[l]             = shape.link_area(one, other);
-        }
+    const std::vector<LinkPart> all   = {{0, contacts.count, 0, true}};
+    const std::vector<LinkPart> parts = lacks_contacts() ? contacts.parts : all;
+    for (const LinkPart &part : parts)
+      for (std::size_t l = part.begin; l < std::min(part.end, contacts.count); ++l)
+        if (contacts.is_alive(l))
+          fit_contact(l);
   }
 
   void GrowingAssembly::look_for_contacts()
   {
+    gather_places();
     const auto searches = search.searches();
-    const auto born     = search.find_contacts(particles, none, contacts);
+    const auto born     = search.find_contacts(particles, none, contacts, shared ? shared->search() : SharedSearch());
     if (search.searches() != searches)
       for (std::size_t l = 0; l < contacts.count; ++l)
         if (contacts.is_alive(l) && !search.is_near(particles, {contacts.first[l], contacts.second[l], 0}))
           contacts.remove(l);
-    if (!born.empty())
-      add_contacts(contacts, born, particles, shape, *law);
+    if (born.empty())
+      return;
+    if (shared)
+      shared->gather_contacts(contacts);
+    add_contacts(contacts, born, particles, shape, *law);
   }
 
   void GrowingAssembly::look_for_walls()
   {
+    gather_places();
     double mean = 0;
     for (std::size_t i = 0; i < particles.count; ++i)
       mean += particles.radius_of(i) / static_cast<double>(particles.count);
@@ -153,7 +163,9 @@ namespace dem
     const auto count = static_cast<std::ptrdiff_t>(near_wall.size());
     for (std::ptrdiff_t k = 0; k < count; ++k)
       {
-        const auto   i    = static_cast<std::size_t>(near_wall[static_cast<std::size_t>(k)]);
+        const auto i = static_cast<std::size_t>(near_wall[static_cast<std::size_t>(k)]);
+        if (!moves(near_wall[static_cast<std::size_t>(k)]))
+          continue;
         const double r    = particles.radius_of(i);
         Vector3d     push = Vector3d::Zero();
         for (const WallTouch &wall : vessel.near(particles.position_of(i), r, 0.0))
@@ -166,8 +178,11 @@ namespace dem
   {
     if (forces_known)
       return;
+    share_out();
     if (contacts.count > 0)
       pass(contacts, particles, *law, contacts.whole());
+    if (shared)
+      shared->links_updated(particles, none, contacts);
     push_from_walls();
     forces_known = true;
   }
@@ -178,9 +193,11 @@ namespace dem
     const auto       move = select_particle_pass(true, material.damping > 0, false, false, Surroundings::pushed);
     for (std::int64_t s = 0; s < steps; ++s)
       {
+        share_out_anew();
         find_forces();
-        move(particles, none, &contacts, {}, halves, material.damping, Vector3d::Zero(), {0, accounts.size()},
-             accounts);
+        move(particles, none, &contacts, {}, halves, material.damping, Vector3d::Zero(), own_blocks(), accounts);
+        if (shared)
+          shared->share_motion(particles, accounts, {}, {});
         forces_known   = false;
         double fastest = 0;
         for (const auto &block : accounts)

@@ -7,9 +7,12 @@
 #include "dem/laws/linear_contact.h"
 #include "dem/model/links.h"
 #include "dem/model/particles.h"
+#include "dem/specimen/shared_work.h"
 
 #include <cstdint>
 #include <memory>
+#include <optional>
+#include <utility>
 #include <vector>
 
 namespace dem
@@ -46,7 +49,7 @@ namespace dem
   struct ContactSums
   {
     double stored = 0, virial = 0, stiffening = 0, largest_overlap = 0; ///< [J], [J], [J], over the smaller radius
-    std::int64_t touching = 0;
+    double touching = 0;                                                ///< how many
 
     void add(double stiffness, double overlap, double arms, double smaller_radius);
     void join(const ContactSums &other);
@@ -57,6 +60,8 @@ namespace dem
   {
     double unbalanced = 0, pushing = 0; ///< |sum of forces| and sum of |contact forces| [N]
     double kinetic = 0, damped = 0;     ///< of velocities before and after t_n; of the half step before it [J]
+
+    void join(const MotionSums &other);
   };
 
   /**
@@ -65,13 +70,22 @@ namespace dem
    *
    * Their masses are not those of the material: the result is at rest, and does not depend on them. All particles have the mass for which
    * the stable step is 1, in the plane the same for all; a time is a number of steps. Results are the same to the last bit for
-   * any number of threads.
+   * any number of threads, and of ranks that share the work.
    */
   class GrowingAssembly
   {
   public:
     /** @param start particles inside the vessel, at rest */
     GrowingAssembly(const Packing &start, const Vessel &vessel, const GrowthMaterial &material);
+
+    /**
+     * From now on these ranks share the work (doc/theory/ranks.md, 3). All have made the same assembly, and call all members but steps(), size(),
+     * radius() and walls() in the same order; after measure() and gather() each may read alone, until the next step.
+     * @param move_every as of SharedWork
+     */
+    void share_among(std::shared_ptr<Ranks> ranks, std::int64_t move_every = 0);
+    /** Let all ranks have all of it. */
+    void gather();
 
     void           advance(std::int64_t steps);
     GrowthMeasures measure();  ///< where particles are now; moves nothing
@@ -95,29 +109,46 @@ namespace dem
     std::vector<int> contact_numbers();
     /** Sum over these of each particle's overlaps [m], by packing number. */
     std::vector<double> overlap_sums();
-    Packing             packing() const; ///< where particles are now, in the order of the start
+    Packing             packing(); ///< where particles are now, in the order of the start
     double radius(std::size_t number) const { return particles.radius_of(static_cast<std::size_t>(slot[number])); }
     const Vessel &walls() const { return vessel; }
 
-    /** Everything needed to go on to the same bits; a reader must have been made of the same start. */
+    /** Everything needed to go on to the same bits; a reader must have been made of the same start, and on ranks have taken no step. */
     void visit_state(base::StateVisitor &visitor);
 
   private:
+    void   share_out();      ///< what is not shared out among ranks yet
+    void   share_out_anew(); ///< and all of it before some steps, in tests
+    void   gather_places();
     void   find_forces();
     void   push_from_walls();
     void   look_for_contacts();
     void   take_friction(double coefficient);
     void   fit_to_radii();
     void   fit_contacts(); ///< reference lengths and areas, the shear displacements as they are
+    void   fit_contact(std::size_t link);
     void   set_masses();
     void   look_for_walls();
     double wall_stiffness(double radius) const;
     /** Net force of links and walls on a particle (3) [N] | couple (3) [N m], and the sum of their sizes [N]. */
     double net_force(std::size_t particle, double *force) const;
+    /** Whether what some contacts remember and do is known to other ranks only, and likewise of the motion of particles. */
+    bool lacks_contacts() const { return shared && shared->lacks_contacts(); }
+    bool lacks_motion() const { return shared && (shared->lacks_particles() || shared->lacks_contacts()); }
+    /** Lines of contacts, and particles, of which it is known here, begin and end. */
+    std::pair<std::size_t, std::size_t> known_contacts() const;
+    std::pair<std::size_t, std::size_t> known_particles() const;
+    bool                                moves(std::int32_t particle) const; ///< this rank does
+    ParticleBlocks                      own_blocks() const;
+    /** Of contacts begin .. end - 1, at most a block. */
+    ContactSums sum_links(std::size_t begin, std::size_t end) const;
+    /** Add those with walls of particles begin .. end - 1. */
+    void       add_walls(ContactSums &all, std::size_t begin, std::size_t end) const;
+    MotionSums sum_particles(std::size_t begin, std::size_t end) const;
     /** Of all contacts where particles are now. @pre forces are known */
-    ContactSums sum_contacts() const;
+    ContactSums sum_contacts();
     /** Of all particles likewise. */
-    MotionSums sum_motion() const;
+    MotionSums sum_motion();
 
     Vessel                            vessel;
     GrowthMaterial                    material;
@@ -135,5 +166,6 @@ namespace dem
     bool                              forces_known = false;     ///< at the present places
     std::int64_t                      step_count = 0, fits = 0; ///< how often radii were set
     double                            growth = 0, damped = 0, stopped = 0;
+    std::optional<SharedWork>         shared; ///< among ranks; none: alone
   };
 } // namespace dem

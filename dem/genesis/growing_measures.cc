@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 namespace dem
 {
@@ -28,33 +29,79 @@ namespace dem
     touching += other.touching;
   }
 
-  ContactSums GrowingAssembly::sum_contacts() const
+  void MotionSums::join(const MotionSums &other)
   {
-    const auto of_links = [&](const std::size_t begin, const std::size_t end) {
-      ContactSums sums;
-      for (std::size_t l = begin; l < end; ++l)
-        {
-          const double length = branch_of(particles, contacts, l).norm(), arms = contacts.reference_length[l],
-                       overlap = arms - length;
-          if (!contacts.is_alive(l) || !(overlap > 0))
-            continue;
-          const double stiffness = contacts.area[l] * constants.normal / arms;
-          sums.add(stiffness, overlap, arms,
-                   std::min(particles.radius_of(static_cast<std::size_t>(contacts.first[l])),
-                            particles.radius_of(static_cast<std::size_t>(contacts.second[l]))));
-          for (const base::Column &shear : contacts.history)
-            sums.stored += 0.5 * contacts.area[l] * arms * constants.shear * shear[l] * shear[l];
-        }
-      return sums;
-    };
-    ContactSums all = sum_of_blocks<ContactSums>(contacts.count, links_per_block, of_links,
-                                                 [](ContactSums &to, const ContactSums &part) { to.join(part); });
-    for (const std::int32_t i : near_wall)
+    unbalanced += other.unbalanced;
+    pushing += other.pushing;
+    kinetic += other.kinetic;
+    damped += other.damped;
+  }
+
+  ContactSums GrowingAssembly::sum_links(const std::size_t begin, const std::size_t end) const
+  {
+    ContactSums sums;
+    for (std::size_t l = begin; l < end; ++l)
       {
-        const double r = particles.radius_of(static_cast<std::size_t>(i));
-        for (const WallTouch &wall : vessel.near(particles.position_of(static_cast<std::size_t>(i)), r, 0.0))
+        const double length = branch_of(particles, contacts, l).norm(), arms = contacts.reference_length[l],
+                     overlap = arms - length;
+        if (!contacts.is_alive(l) || !(overlap > 0))
+          continue;
+        const double stiffness = contacts.area[l] * constants.normal / arms;
+        sums.add(stiffness, overlap, arms,
+                 std::min(particles.radius_of(static_cast<std::size_t>(contacts.first[l])),
+                          particles.radius_of(static_cast<std::size_t>(contacts.second[l]))));
+        for (const base::Column &shear : contacts.history)
+          sums.stored += 0.5 * contacts.area[l] * arms * constants.shear * shear[l] * shear[l];
+      }
+    return sums;
+  }
+
+  void GrowingAssembly::add_walls(ContactSums &all, const std::size_t begin, const std::size_t end) const
+  {
+    for (auto at = std::lower_bound(near_wall.begin(), near_wall.end(), static_cast<std::int32_t>(begin));
+         at != near_wall.end() && static_cast<std::size_t>(*at) < end; ++at)
+      {
+        const auto   i = static_cast<std::size_t>(*at);
+        const double r = particles.radius_of(i);
+        for (const WallTouch &wall : vessel.near(particles.position_of(i), r, 0.0))
           all.add(wall_stiffness(r), -wall.gap, r, r);
       }
+  }
+
+  ContactSums GrowingAssembly::sum_contacts()
+  {
+    const bool apart = lacks_contacts();
+    if (!apart)
+      gather_places();
+    const auto [begin, end] = known_contacts();
+    const auto of_blocks    = sums_of_blocks<ContactSums>(
+      begin, end, links_per_block, [&](const std::size_t from, const std::size_t to) { return sum_links(from, to); });
+    const auto join_links = [&](ContactSums &to) {
+      for (const ContactSums &each : of_blocks)
+        to.join(each);
+    };
+    ContactSums all;
+    if (!apart)
+      {
+        join_links(all);
+        add_walls(all, 0, particles.count);
+        return all;
+      }
+    hand_on(
+      all,
+      [&](double *numbers, const std::size_t count, const auto &go_on) {
+        shared->relay_contacts(
+          contacts, [&](std::size_t, std::size_t) { go_on(); }, numbers, count);
+      },
+      join_links);
+    hand_on(
+      all,
+      [&](double *numbers, const std::size_t count, const auto &go_on) {
+        shared->relay_particles([&](std::size_t, std::size_t) { go_on(); }, numbers, count);
+      },
+      [&](ContactSums &to) {
+        add_walls(to, static_cast<std::size_t>(shared->first()), static_cast<std::size_t>(shared->last()));
+      });
     return all;
   }
 
@@ -81,41 +128,55 @@ namespace dem
     return pushing + wall.lpNorm<1>(); // walls at right angles each push on their own
   }
 
-  MotionSums GrowingAssembly::sum_motion() const
+  MotionSums GrowingAssembly::sum_particles(const std::size_t begin, const std::size_t end) const
   {
-    const auto of_particles = [&](const std::size_t begin, const std::size_t end) {
-      MotionSums sums;
-      double     force[6];
-      for (std::size_t i = begin; i < end; ++i)
-        {
-          const double  pushing = net_force(i, force);
-          const double *v = &particles.velocity[record_size * i], *inverse = &particles.inverse_mass[record_size * i];
-          if (inverse[0] > 0)
+    MotionSums sums;
+    double     force[6];
+    for (std::size_t i = begin; i < end; ++i)
+      {
+        const double  pushing = net_force(i, force);
+        const double *v = &particles.velocity[record_size * i], *inverse = &particles.inverse_mass[record_size * i];
+        if (inverse[0] > 0)
+          {
+            sums.unbalanced += std::sqrt(force[0] * force[0] + force[1] * force[1] + force[2] * force[2]);
+            sums.pushing += pushing;
+          }
+        for (int c = 0; c < 6; ++c)
+          if (inverse[c] > 0)
             {
-              sums.unbalanced += std::sqrt(force[0] * force[0] + force[1] * force[1] + force[2] * force[2]);
-              sums.pushing += pushing;
+              const double free = force[c] * inverse[c], ahead = free * (v[c] + 0.5 * free),
+                           sign   = ahead > 0 ? 1.0 :
+                                    ahead < 0 ? -1.0 :
+                                                0.0,
+                           slowed = -material.damping * sign * free;
+              sums.kinetic += 0.5 / inverse[c] * v[c] * (v[c] + free + slowed);
+              sums.damped -= 0.5 / inverse[c] * slowed * v[c];
             }
-          for (int c = 0; c < 6; ++c)
-            if (inverse[c] > 0)
-              {
-                const double free = force[c] * inverse[c], ahead = free * (v[c] + 0.5 * free),
-                             sign   = ahead > 0 ? 1.0 :
-                                      ahead < 0 ? -1.0 :
-                                                  0.0,
-                             slowed = -material.damping * sign * free;
-                sums.kinetic += 0.5 / inverse[c] * v[c] * (v[c] + free + slowed);
-                sums.damped -= 0.5 / inverse[c] * slowed * v[c];
-              }
-        }
-      return sums;
+      }
+    return sums;
+  }
+
+  MotionSums GrowingAssembly::sum_motion()
+  {
+    const auto [begin, end] = known_particles();
+    const auto of_blocks =
+      sums_of_blocks<MotionSums>(begin, end, particles_per_block,
+                                 [&](const std::size_t from, const std::size_t to) { return sum_particles(from, to); });
+    const auto join = [&](MotionSums &to) {
+      for (const MotionSums &each : of_blocks)
+        to.join(each);
     };
-    return sum_of_blocks<MotionSums>(particles.count, particles_per_block, of_particles,
-                                     [](MotionSums &to, const MotionSums &part) {
-                                       to.unbalanced += part.unbalanced;
-                                       to.pushing += part.pushing;
-                                       to.kinetic += part.kinetic;
-                                       to.damped += part.damped;
-                                     });
+    MotionSums all;
+    if (lacks_motion())
+      hand_on(
+        all,
+        [&](double *numbers, const std::size_t count, const auto &go_on) {
+          shared->relay_particles([&](std::size_t, std::size_t) { go_on(); }, numbers, count);
+        },
+        join);
+    else
+      join(all);
+    return all;
   }
 
   GrowthMeasures GrowingAssembly::measure()
@@ -129,7 +190,7 @@ namespace dem
     found.stress           = -contact.virial / space;
     found.stress_by_growth = contact.stiffening / space;
     found.largest_overlap  = contact.largest_overlap;
-    found.touching         = contact.touching;
+    found.touching         = static_cast<std::int64_t>(contact.touching);
     found.stored           = contact.stored;
     found.kinetic          = motion.kinetic;
     return found;
@@ -145,6 +206,8 @@ namespace dem
     account.kinetic = motion.kinetic;
     account.damped  = damped + motion.damped;
     account.stopped = stopped;
+    if (shared)
+      shared->gather_accounts(none, contacts);
     for (const LinkBlockAccount &block : contacts.accounts)
       account.friction += block.friction;
     return account;
@@ -156,13 +219,15 @@ namespace dem
     const MotionSums motion = sum_motion();
     stopped += motion.kinetic;
     damped += motion.damped;
-    std::fill(particles.velocity.begin(), particles.velocity.end(), 0.0);
+    const auto [begin, end] = known_particles();
+    std::fill(&particles.velocity[record_size * begin], &particles.velocity[record_size * end], 0.0);
   }
 
   void GrowingAssembly::set_radii(const std::vector<double> &radius, const std::vector<Eigen::Vector3d> &centre)
   {
     stop();
     const double before = sum_contacts().stored;
+    gather();
     for (std::size_t i = 0; i < particles.count; ++i)
       {
         const auto number                   = static_cast<std::size_t>(particles.number[i]);
@@ -173,14 +238,16 @@ namespace dem
     std::fill(particles.motion.begin(), particles.motion.end(), 0.0); // forces were found after it
     fit_to_radii();
     growth += sum_contacts().stored - before;
-    forces_known = false;
+    forces_known  = false;
+    none.in_parts = contacts.in_parts = false; // they may have come to lie elsewhere along the curve
   }
 
   void GrowingAssembly::scale_radii(const double factor)
   {
     find_forces();
-    const double before  = sum_contacts().stored;
-    double       largest = 0;
+    const double before = sum_contacts().stored;
+    gather_places();
+    double largest = 0;
     for (std::size_t i = 0; i < particles.count; ++i)
       {
         double &r = particles.pose[record_size * i + 6];
@@ -201,6 +268,7 @@ namespace dem
 
   std::vector<int> GrowingAssembly::contact_numbers()
   {
+    gather();
     std::vector<int> found(particles.count, 0);
     const auto       count = [&](const std::int32_t i) {
       ++found[static_cast<std::size_t>(particles.number[static_cast<std::size_t>(i)])];
@@ -221,6 +289,7 @@ namespace dem
 
   std::vector<double> GrowingAssembly::overlap_sums()
   {
+    gather();
     std::vector<double> found(particles.count, 0.0);
     const auto          add = [&](const std::int32_t i, const double overlap) {
       found[static_cast<std::size_t>(particles.number[static_cast<std::size_t>(i)])] += std::max(overlap, 0.0);
@@ -239,8 +308,9 @@ namespace dem
     return found;
   }
 
-  Packing GrowingAssembly::packing() const
+  Packing GrowingAssembly::packing()
   {
+    gather_places();
     Packing now;
     now.centre.resize(particles.count);
     now.radius.resize(particles.count);
@@ -255,8 +325,11 @@ namespace dem
 
   void GrowingAssembly::visit_state(base::StateVisitor &visitor)
   {
+    gather();
     const std::int64_t before = fits;
     visitor.scalar("growing/fits", fits);
+    if (fits != before && shared && shared->planned())
+      throw std::logic_error("growing assembly: a state is taken up before the first step where ranks share its work");
     particles.visit_state(visitor);
     visitor.column("growing/mass", particles.mass); // of the radii that were set last, not of those scaled since
     visitor.column("growing/inertia", particles.inertia);

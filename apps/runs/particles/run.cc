@@ -80,8 +80,7 @@ namespace apps
     if (model.source.source == SpecimenSection::Source::genesis)
       {
         genesis = std::make_unique<GenesisWork>(model.source, model.physics.dimension);
-        if (!on_any_rank(!genesis->is_kept()))
-          genesis->take_kept();
+        genesis->take_kept();
         return;
       }
     packing = model.packing();
