@@ -1,5 +1,6 @@
 #include "apps/scene/link_driver.h"
 
+#include "apps/text/column_unit.h"
 #include "apps/text/nearest_name.h"
 #include "base/errors.h"
 
@@ -46,34 +47,40 @@ namespace apps
                          [&](const std::string &name) { return has(table, name); });
     }
 
+    /** A column in its unit; the table has it. */
+    std::vector<double> values_of(const postprocess::CsvTable &table, const std::string &name, const std::string &unit)
+    {
+      const auto at = std::find(table.names.begin(), table.names.end(), name) - table.names.begin();
+      return column_in(table, static_cast<std::size_t>(at), unit);
+    }
+
+    std::vector<double> strains_in(const postprocess::CsvTable &table, const std::string &name)
+    {
+      std::vector<double> strains = values_of(table, name, "-");
+      for (const double strain : strains)
+        if (!(std::fabs(strain) <= 1e3))
+          throw base::InputError(table.origin + fmt::format(": a strain of {}: must be from -1e3 to 1e3.", strain));
+      return strains;
+    }
+
     dem::LinkPath strains_of(const postprocess::CsvTable &table)
     {
-      for (std::size_t c = 0; c < table.names.size(); ++c)
-        {
-          if (std::find(path_columns.begin(), path_columns.end(), table.names[c]) == path_columns.end())
-            throw base::InputError(table.origin + ": column \"" + table.names[c] +
-                                   "\": strains and displacements do not go together in one path.");
-          for (const double strain : table.columns[c])
-            if (!(std::fabs(strain) <= 1e3))
-              throw base::InputError(table.origin + fmt::format(": a strain of {}: must be from -1e3 to 1e3.", strain));
-        }
+      for (const std::string &name : table.names)
+        if (std::find(path_columns.begin(), path_columns.end(), name) == path_columns.end())
+          throw base::InputError(table.origin + ": column \"" + name +
+                                 "\": strains and displacements do not go together in one path.");
+      table.column(path_columns[0]); // refuses a table without it
       dem::LinkPath path;
-      path.normal = table.column(path_columns[0]);
+      path.normal = strains_in(table, path_columns[0]);
       path.shear.resize(path.normal.size());
       for (std::size_t i = 0; i < 2; ++i)
         if (has(table, path_columns[i + 1]))
-          for (std::size_t row = 0; row < path.shear.size(); ++row)
-            path.shear[row][i] = table.column(path_columns[i + 1])[row];
+          {
+            const std::vector<double> shear = strains_in(table, path_columns[i + 1]);
+            for (std::size_t row = 0; row < path.shear.size(); ++row)
+              path.shear[row][i] = shear[row];
+          }
       return path;
-    }
-
-    void demand_unit(const postprocess::CsvTable &table, const std::string &name, const std::string &unit)
-    {
-      const auto        c     = std::find(table.names.begin(), table.names.end(), name) - table.names.begin();
-      const std::string given = table.units[static_cast<std::size_t>(c)];
-      if (!given.empty() && given != unit)
-        throw base::InputError(
-          fmt::format("{}: column \"{}\" is in [{}]: must be in [{}].", table.origin, name, given, unit));
     }
 
     dem::LinkMotionPath
@@ -93,8 +100,8 @@ namespace apps
           part.force = has(table, name.force);
           if (!part.force && !has(table, name.motion))
             continue;
-          demand_unit(table, part.force ? name.force : name.motion, part.force ? name.force_unit : name.unit);
-          part.values        = table.column(part.force ? name.force : name.motion);
+          part.values =
+            values_of(table, part.force ? name.force : name.motion, part.force ? name.force_unit : name.unit);
           const double limit = c < 3 ? 1e3 * size : 1e3;
           for (const double value : part.values)
             if (!part.force && !(std::fabs(value) < limit && (c > 0 || value > -0.9 * size - pair.gap)))

@@ -338,6 +338,16 @@ TEST_CASE("bonds of infinite strength hold whatever is done to them; other const
   CHECK_THAT(outcome.err, Contains("Effective modulus = inf: expected a number > 0"));
 }
 
+TEST_CASE("link-test takes displacements and forces in multiples of their units", "[apps]")
+{
+  const auto force_of = [](const std::string &path) { return mortar("contact-bond", path).column("normal_force"); };
+  const std::vector<double> metres = force_of("normal_displacement [m]\n-1e-7\n-2e-7\n"),
+                            small  = force_of("normal_displacement [um]\n-0.1\n-0.2\n");
+  CHECK(metres[1] != 0);
+  CHECK(small[1] == Approx(metres[1]).epsilon(1e-12));
+  CHECK(force_of("normal_force [kN]\n-1e-5\n")[0] == Approx(-0.01).epsilon(1e-9));
+}
+
 TEST_CASE("link-test refuses columns that a law or a plane does not have, with their place", "[apps][S14]")
 {
   const ScratchFolder folder;
@@ -362,7 +372,7 @@ TEST_CASE("link-test refuses columns that a law or a plane does not have, with t
   refused("normal_displacement,bending_1\n0,0\n", {}, "resists no rotation");
   refused("normal_displacement,shear_displacement_2\n0,0\n", {"--dimension", "2"}, "a link in the plane has none");
   refused("normal_displacement,normal_force\n0,0\n", {}, "give one of them");
-  refused("normal_displacement [mm]\n0\n", {}, "must be in [m]");
+  refused("normal_displacement [kN]\n0\n", {}, "column normal_displacement is in [kN], expected [m]");
   refused("normal_strain,normal_displacement\n0,0\n", {}, "do not go together");
   refused("normal_displacement\n-1\n", {}, "out of range");
 }

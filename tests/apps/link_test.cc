@@ -58,6 +58,14 @@ TEST_CASE("link-test gives the published answer of the CPM law in tension", "[ap
     }
 }
 
+TEST_CASE("link-test takes strains in per cent where the header says so", "[apps]")
+{
+  const postprocess::CsvTable plain = answer("normal_strain\n1.1e-4\n1.5e-4\n"),
+                              shown = answer("normal_strain [%]\n1.1e-2\n1.5e-2\n");
+  for (std::size_t row = 0; row < 2; ++row)
+    CHECK(shown.column("normal_stress")[row] == Approx(plain.column("normal_stress")[row]).epsilon(1e-12));
+}
+
 TEST_CASE("link-test dissipates 20 J/m^3 of damage in tension to failure and then breaks the link", "[apps]")
 {
   // E eps_0 (eps_0/2 + eps_f) = 1e9 * 1e-4 * (0.5e-4 + 1.5e-4): doc/theory/cpm.md, 3.

@@ -2,6 +2,7 @@
 #include "tests/apps/program.h"
 #include "tests/apps/same_on_ranks.h"
 #include "tests/apps/scratch_folder.h"
+#include "tests/environment.h"
 #include "tests/places.h"
 
 #include <catch2/catch.hpp>
@@ -23,6 +24,14 @@ namespace
 
   /** A ball falls on a beam of particles, which presses supports of elements from 3.5e-4 s on: until the ball has come back. */
   std::string past_the_blow() { return run_of("drop_weight.prm", {"Time/End time=6e-4", "Output/Samples=150"}); }
+
+  /** A window of mortar that grows in a hurry, and is pressed a little. */
+  std::string small_mortar(const std::string &size)
+  {
+    return run_of("mortar_window.prm",
+                  {"Specimen/Genesis/Size=" + size, "Specimen/Genesis/Increments=10",
+                   "Specimen/Genesis/Solve steps=500", "Laboratory/Largest strain=1e-5", "Output/Snapshots=1"});
+  }
 
   nlohmann::json summary_of(const std::filesystem::path &folder)
   {
@@ -165,4 +174,29 @@ TEST_CASE("Where the first rank cannot write the state at the end, all ranks are
   // Another thing has its name.
   are_gone_where_one_cannot_write(small_concrete(), "tension_links/tension_links_000000.vtp",
                                   "mkdir results/running/tension_state.h5", "tension_state.h5");
+}
+
+TEST_CASE("A mortar grown on ranks is that of one, on from a checkpoint and out of the first rank's cache too",
+          "[apps][mpi][ranks][genesis][slow]")
+{
+  if (places::skipped_without_mpirun())
+    return;
+  const ScratchFolder folder;
+  const Environment   caches("XDG_CACHE_HOME", (folder / "caches").string());
+  const std::string   words = small_mortar("0.02, 0.02, 0");
+  const auto          made  = [&](const std::string &program, const std::string &name, const std::string &more) {
+    const int status = shell_in(folder, program + words + more + " -o " + name);
+    INFO(content_of(folder / "said"));
+    CHECK(status == 0);
+  };
+  made(program_on(0, 1), "one", " --no-cache");
+  made("BRECCIA_CHECK_RANKS=1 " + program_on(3, 1), "three", "");
+  CHECK(differences(folder / "one", folder / "three") == std::vector<std::string>());
+  CHECK_FALSE(std::filesystem::is_empty(folder / "caches"));
+  // The first rank has a cache, the others none.
+  made(program_on(2, 1, "sh -c '[ ${OMPI_COMM_WORLD_RANK:-0} = 0 ] || export XDG_CACHE_HOME=none; exec \"$@\"' sh "),
+       "kept", "");
+  CHECK(differences(folder / "one", folder / "kept") == std::vector<std::string>());
+  std::filesystem::remove_all(folder / "caches");
+  goes_on_on_others(small_mortar("0.04, 0.03, 0") + " --no-cache");
 }
