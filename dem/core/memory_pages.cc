@@ -5,6 +5,10 @@
 #include <utility>
 #include <vector>
 
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
+
 #ifdef __linux__
 #include <sys/mman.h>
 #include <unistd.h>
@@ -69,6 +73,13 @@ namespace dem
   void        give_back(base::Column &, std::size_t, std::size_t) {}
   void        take_small_pages(base::Column &, std::size_t, std::size_t) {}
   std::size_t resident_bytes(const base::Column &column) { return sizeof(double) * column.size(); }
+#endif
+
+#ifdef __GLIBC__
+  // Libraries may tell the allocator to keep large blocks among the small ones (SuperLU_DIST does, when it is loaded).
+  void give_back_freed() { malloc_trim(0); }
+#else
+  void give_back_freed() {}
 #endif
 
   void assign_zeros(base::Column &column, const std::size_t n)

@@ -18,6 +18,12 @@ namespace dem
   /** Let numbers of a column take memory page by page, rather than in large pieces of which most may stay empty. */
   void take_small_pages(base::Column &column, std::size_t begin, std::size_t end);
 
+  /**
+   * Give memory that was freed, and lies between what is in use, back to the system: what large specimens were made of. Where the system cannot do
+   * so, nothing happens.
+   */
+  void give_back_freed();
+
   /** Memory that a column takes at present [B]; all of it where the system does not say. */
   std::size_t resident_bytes(const base::Column &column);
 } // namespace dem

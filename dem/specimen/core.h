@@ -268,6 +268,8 @@ namespace dem
     std::pair<std::size_t, std::size_t> own_particles() const;
     /** Whether other ranks do a part of the work already; all do all before the first step. */
     bool shares() const { return shared && shared->planned(); }
+    /** Particles that every rank moves, or of which all prescribe how they move. */
+    std::vector<std::int32_t> moved_by_all() const;
     /** Share out with other ranks what is to be, before links are updated. */
     void share_out();
     /** Blocks of particles that this process moves. */

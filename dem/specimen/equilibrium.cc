@@ -1,4 +1,5 @@
 #include "base/errors.h"
+#include "dem/core/memory_pages.h"
 #include "dem/kernels/kinematics.h"
 #include "dem/linear/linear_solver.h"
 #include "dem/measures/link_measures.h"
@@ -239,6 +240,8 @@ namespace dem
         }
     book.initial         = kinetic_of_velocities() + book.stored_at_start + of_links + begin_contacts() + of_surfaces;
     book.weight_at_start = weight_work() - of_weight;
+    if (bonds.streams || contacts.streams) // large: what they were made of
+      give_back_freed();
   }
 
   double SpecimenCore::begin_contacts()

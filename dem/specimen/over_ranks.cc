@@ -171,6 +171,13 @@ namespace dem
     longest_step = std::min(longest_step, each_its_own ? shared->least(least) : least);
   }
 
+  std::vector<std::int32_t> SpecimenCore::moved_by_all() const
+  {
+    std::vector<std::int32_t> all = held.members();
+    all.insert(all.end(), clumps.pebbles().begin(), clumps.pebbles().end());
+    return all;
+  }
+
   void SpecimenCore::share_out()
   {
     const bool changes = shared->changes_ranges(step_count);
@@ -178,7 +185,7 @@ namespace dem
       gather();
     if (changes)
       shared->change_ranges(bonds, contacts);
-    shared->plan(particles, bonds, contacts);
+    shared->plan(particles, bonds, contacts, moved_by_all());
   }
 
   /** Ranks that share all else move all clumps each, which may lie across their bricks. */

@@ -27,6 +27,8 @@ namespace dem
   LinkEnds living_ends(const LinkSet &bonds, const LinkSet &contacts)
   {
     LinkEnds ends;
+    for (auto *of : {&ends.first, &ends.second})
+      of->reserve(bonds.alive + contacts.alive);
     append_ends(ends, bonds);
     append_ends(ends, contacts);
     return ends;

@@ -16,9 +16,6 @@ namespace dem
 {
   namespace
   {
-    /** What is read at least this often stays where all can read it: giving memory back and taking it again takes time. */
-    constexpr std::int64_t steps_between_readings = 16;
-
     /** Call use(begin, end) for what lies between the parts of a set, among some of its lines. */
     template <typename Use>
     void each_gap(const LinkSet &links, const LinkPart &among, const Use &use)
@@ -92,8 +89,14 @@ namespace dem
         });
     if (share.lean || !may_go(share.since_read))
       return;
+    hold_own(links, share);
+    given_back = true;
+  }
+
+  void SharedWork::hold_own(LinkSet &links, SetShare &share)
+  {
     drop_others(links);
-    share.lean = given_back = true;
+    share.lean = share.stale = true;
   }
 
   void SharedWork::drop_others(LinkSet &links)
@@ -114,13 +117,18 @@ namespace dem
   {
     if (lean || !may_go(since_read))
       return;
+    find_kept(also);
+    drop_others(particles);
+    lean = masses_absent = given_back = true;
+    with_masses.clear();
+  }
+
+  void SharedWork::find_kept(const std::vector<std::int32_t> &also)
+  {
     kept = also;
     for (const std::vector<std::int32_t> &of : ghosts)
       kept.insert(kept.end(), of.begin(), of.end());
     std::sort(kept.begin(), kept.end());
-    drop_others(particles);
-    lean = masses_absent = given_back = true;
-    with_masses.clear();
   }
 
   void SharedWork::drop_records(base::Column &column, const std::size_t particles) const
@@ -203,10 +211,11 @@ namespace dem
   void SharedWork::gather_particles(Particles &particles)
   {
     gather_places(particles);
-    if (!std::exchange(rates_stale, false))
-      return;
-    gather_column(particles.velocity);
-    gather_column(particles.force);
+    if (std::exchange(rates_stale, false))
+      {
+        gather_column(particles.velocity);
+        gather_column(particles.force);
+      }
     if (std::exchange(masses_absent, false))
       gather_column(particles.inverse_mass);
     lean = false;

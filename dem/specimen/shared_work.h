@@ -39,8 +39,14 @@ namespace dem
 
     // --- What is whose ---
 
-    /** Share out sets of links that have been sorted out anew, if any. @pre such a set is up to date, and with bonds all particles are */
-    void plan(Particles &particles, LinkSet &bonds, LinkSet &contacts);
+    /**
+     * Share out sets of links that have been sorted out anew, if any; where bonds are, others' links take no memory from here on.
+     * @pre such a set is up to date, and with bonds all particles are @param moved_by_all as of share_motion()
+     */
+    void plan(Particles                       &particles,
+              LinkSet                         &bonds,
+              LinkSet                         &contacts,
+              const std::vector<std::int32_t> &moved_by_all);
     /** Whether ranges are to be changed before a step, given by its number. */
     bool changes_ranges(std::int64_t step) const { return move_every > 0 && step > 0 && step % move_every == 0; }
     /** Change them with the next plan(). @pre all is up to date */
@@ -124,6 +130,9 @@ namespace dem
     void with_records(base::Column &column, const Particles &particles, const std::function<void()> &read);
 
   private:
+    /** What is read at least this often stays where all can read it: giving memory back and taking it again takes time. */
+    static constexpr std::int64_t steps_between_readings = 16;
+
     /** Whose the blocks of a set are. */
     struct SetShare
     {
@@ -160,9 +169,13 @@ namespace dem
     void take_small_pages_of_others(LinkSet &links, const SetShare &share) const;
     void take_small_pages_of_others(Particles &particles) const;
     void keep_own(LinkSet &links, SetShare &share);
+    /** From now on only what this rank updates. */
+    void hold_own(LinkSet &links, SetShare &share);
     void drop_others(LinkSet &links);
     void drop_others(Particles &particles);
     void keep_own(Particles &particles, const std::vector<std::int32_t> &also);
+    /** Others' particles that have memory from now on: ghosts, and these. */
+    void find_kept(const std::vector<std::int32_t> &also);
     /** Count a step. @return whether what was made or gathered so many steps ago may go */
     bool may_go(std::int64_t &since_read) const;
     void drop(base::Column &column, std::size_t begin, std::size_t end) const;

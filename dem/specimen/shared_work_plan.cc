@@ -1,5 +1,6 @@
 // What of a specimen is whose (doc/theory/ranks.md, 3).
 
+#include "dem/core/memory_pages.h"
 #include "dem/core/simd.h"
 #include "dem/model/column_memory.h"
 #include "dem/ranks/exchange_cost.h"
@@ -144,20 +145,34 @@ namespace dem
           messages_of->push_back({r, std::vector<double>(numbers_of_ghost * count)});
   }
 
-  void SharedWork::plan(Particles &particles, LinkSet &bonds, LinkSet &contacts)
+  void SharedWork::plan(Particles                       &particles,
+                        LinkSet                         &bonds,
+                        LinkSet                         &contacts,
+                        const std::vector<std::int32_t> &moved_by_all)
   {
     if (bonds.in_parts && contacts.in_parts)
       return;
-    if (!bonds.in_parts)
+    const bool anew = !bonds.in_parts;
+    if (anew)
       {
         choose_ranges(particles, bonds, contacts);
         share_out(bonds, of_bonds);
         lean       = false;
-        since_read = 0;
+        since_read = steps_between_readings; // others' motion goes where this step moves particles
         take_small_pages_of_others(particles);
       }
     share_out(contacts, of_contacts);
     find_ghosts(particles, bonds, contacts);
+    if (!anew)
+      return; // contacts may soon be made again
+    // All this before the step takes up memory for forces, motion and what else begins as zeros.
+    hold_own(bonds, of_bonds);
+    hold_own(contacts, of_contacts);
+    find_kept(moved_by_all);
+    drop_records(particles.inverse_mass, particles.count);
+    masses_absent = true;
+    if (bonds.streams || contacts.streams)
+      give_back_freed();
   }
 
   void SharedWork::change_ranges(LinkSet &bonds, LinkSet &contacts)

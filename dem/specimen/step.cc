@@ -77,11 +77,7 @@ namespace dem
     if (!clumps.empty())
       move_clumps(halves);
     if (shared)
-      {
-        std::vector<std::int32_t> moved_by_all = held.members();
-        moved_by_all.insert(moved_by_all.end(), clumps.pebbles().begin(), clumps.pebbles().end());
-        shared->share_motion(particles, accounts, read_by_surfaces(), moved_by_all);
-      }
+      shared->share_motion(particles, accounts, read_by_surfaces(), moved_by_all());
     if (!held.turning_members().empty())
       turn_grips(halves);
     if (!partner.particles)
