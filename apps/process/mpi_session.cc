@@ -17,6 +17,7 @@
 #include <ctime>
 #include <filesystem>
 #include <memory>
+#include <new>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -113,6 +114,7 @@ namespace apps
       none,
       input,
       output,
+      memory,
       other
     };
   } // namespace
@@ -208,6 +210,10 @@ namespace apps
         {
           return {Failure::output, error.what()};
         }
+      catch (const std::bad_alloc &)
+        {
+          return {Failure::memory, ""};
+        }
       catch (const std::exception &error)
         {
           return {Failure::other, error.what()};
@@ -225,6 +231,8 @@ namespace apps
         throw base::InputError(outcome.second);
       if (outcome.first == Failure::output)
         throw postprocess::OutputError(outcome.second);
+      if (outcome.first == Failure::memory)
+        throw std::bad_alloc();
       if (outcome.first == Failure::other)
         throw std::runtime_error(outcome.second);
     }

@@ -30,7 +30,7 @@ namespace apps
 
   /**
    * Do something on the first rank only.
-   * @throws what it threw there (base::InputError, postprocess::OutputError, otherwise std::runtime_error), on every rank.
+   * @throws what it threw there (base::InputError, postprocess::OutputError, std::bad_alloc, otherwise std::runtime_error), on every rank.
    */
   void on_first_rank(const std::function<void()> &action);
 

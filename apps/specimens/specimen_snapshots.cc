@@ -5,7 +5,7 @@
 #include "apps/results/snapshots.h"
 #include "dem/observation/link_images.h"
 #include "dem/specimen/rank_output.h"
-#include "dem/specimen/read_by_first.h"
+#include "dem/specimen/told_to_first.h"
 #include "postprocess/vtk/break_log.h"
 #include "postprocess/vtk/vtk_links.h"
 #include "postprocess/vtk/vtk_particles.h"
@@ -14,6 +14,7 @@
 #include <fmt/ranges.h>
 
 #include <sstream>
+#include <utility>
 
 namespace apps
 {
@@ -42,22 +43,42 @@ namespace apps
       take_whole(specimen);
   }
 
+  namespace
+  {
+    /** What a file of links shows of particles; the rest gives its memory back. */
+    dem::ParticleOutput ends_among(dem::ParticleOutput &&particles)
+    {
+      dem::ParticleOutput ends;
+      ends.position     = std::move(particles.position);
+      ends.displacement = std::move(particles.displacement);
+      ends.radius       = std::move(particles.radius);
+      particles         = {};
+      return ends;
+    }
+  } // namespace
+
   void SpecimenSnapshots::take_whole(const dem::ObservedSpecimen &specimen)
   {
-    const dem::ReadByFirst reading(specimen);
-    if (!wanted())
-      return;
-    const dem::ParticleOutput state  = specimen.particles();
-    const dem::LinkOutput     joined = specimen.links();
-    const double              time   = specimen.time();
-    postprocess::write_vtk_particles(particles->next(), state, time);
-    particles->add(time);
+    const double        time  = specimen.time();
+    dem::ParticleOutput state = dem::all_particles_for_first(specimen);
+    on_first_rank([&] {
+      postprocess::write_vtk_particles(particles->next(), state, time);
+      particles->add(time);
+    });
+    const dem::ParticleOutput   ends = ends_among(std::move(state));
     std::vector<dem::LinkImage> images;
+    dem::SeeLinks               find_images;
     if (specimen.parameters().physics.periodic)
-      images = dem::link_images(specimen, joined, state);
-    postprocess::write_vtk_links(links->next(), joined, state, time, images, classes.of_links(joined));
-    links->add(time);
-    take_besides(specimen);
+      find_images = [&](const dem::LinkOutput &some) {
+        const std::vector<dem::LinkImage> more = dem::link_images(specimen, some, ends);
+        images.insert(images.end(), more.begin(), more.end());
+      };
+    const dem::LinkOutput joined = dem::shown_links_for_first(specimen, find_images);
+    on_first_rank([&] {
+      postprocess::write_vtk_links(links->next(), joined, ends, time, images, classes.of_links(joined));
+      links->add(time);
+      take_besides(specimen);
+    });
   }
 
   void SpecimenSnapshots::take_besides(const dem::ObservedSpecimen &specimen)

@@ -225,7 +225,7 @@ namespace dem
     const ShownParticles all      = all_of(self->particles);
     const bool           in_parts = !self->has_all_links();
     LinkEffects          effects  = effects_of_links(*self, all, in_parts);
-    if (in_parts) // else this process may read alone
+    if (in_parts)
       {
         self->shared->gather_numbers(effects.moments.data()->data(), 9);
         self->shared->gather_numbers(effects.damage.data(), 1);

@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <cstring>
 #include <limits>
-#include <tuple>
 #include <utility>
 
 namespace dem
@@ -247,36 +246,12 @@ namespace dem
     each_column_of_state(
       links, [&](base::Column &column, const std::size_t numbers) { gather_column(column, numbers, share); });
     gather_blocks(links.accounts.data(), sizeof(LinkBlockAccount), share);
-    if (std::exchange(share.lean, false) && (!to_first || rank() == 0))
+    if (std::exchange(share.lean, false))
       links.list_others();
-  }
-
-  void SharedWork::let_first_read(const std::function<void()> &gather_all)
-  {
-    auto       here   = std::tie(places_stale, rates_stale, lean, masses_absent, since_read, of_bonds, of_contacts);
-    const auto before = std::tuple(places_stale, rates_stale, lean, masses_absent, since_read, of_bonds, of_contacts);
-    to_first          = true;
-    gather_all();
-    to_first    = false;
-    here        = before; // of all ranks alike: they go on as if nothing had been gathered
-    reads_alone = rank() == 0;
-  }
-
-  void SharedWork::let_go(Particles &particles, LinkSet &bonds, LinkSet &contacts)
-  {
-    if (!std::exchange(reads_alone, false))
-      return;
-    for (const auto &[links, share] : {std::pair(&bonds, &of_bonds), std::pair(&contacts, &of_contacts)})
-      if (share->lean)
-        drop_others(*links);
-    if (lean)
-      drop_others(particles);
   }
 
   void SharedWork::gather_accounts(LinkSet &bonds, LinkSet &contacts)
   {
-    if (reads_alone)
-      return;
     for (const auto &[links, share] : {std::pair(&bonds, &of_bonds), std::pair(&contacts, &of_contacts)})
       if (links->in_parts && share->stale && links->count > 0)
         gather_blocks(links->accounts.data(), sizeof(LinkBlockAccount), *share);

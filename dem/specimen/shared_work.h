@@ -90,13 +90,10 @@ namespace dem
     // --- To read all of it ---
 
     /** Whether some of it is out of date here, or absent. */
-    bool lacks_places() const { return places_stale && !reads_alone; }
-    bool lacks_particles() const { return (places_stale || rates_stale || masses_absent) && !reads_alone; }
-    bool lacks_bonds() const { return of_bonds.stale && !reads_alone; }
-    bool lacks_contacts() const { return of_contacts.stale && !reads_alone; }
-    /** What is gathered goes to the first rank alone, which then reads alone until it lets go. */
-    void let_first_read(const std::function<void()> &gather_all);
-    void let_go(Particles &particles, LinkSet &bonds, LinkSet &contacts);
+    bool lacks_places() const { return places_stale; }
+    bool lacks_particles() const { return places_stale || rates_stale || masses_absent; }
+    bool lacks_bonds() const { return of_bonds.stale; }
+    bool lacks_contacts() const { return of_contacts.stale; }
     void gather_places(Particles &particles); ///< and the motion of the last step
     /** Particles were put elsewhere, each by its own rank at least. */
     void places_changed() { places_stale = true; }
@@ -205,7 +202,6 @@ namespace dem
     bool                                   masses_absent = false; ///< no rank has others' inverse masses
     std::int64_t                           since_read    = 0;     ///< steps since they were gathered
     bool                                   to_first      = false; ///< what is gathered goes to the first rank alone
-    bool                                   reads_alone   = false; ///< this is the first rank, and has been given all
     bool                                   given_back    = false; ///< memory, since that in steps was measured
     std::int64_t                           in_steps      = 0;     ///< memory that particles and links took up then [B]
     std::int64_t                           messages = 0, bytes = 0;

@@ -152,6 +152,16 @@ namespace dem
 
   // --- Links ---
 
+  LinkOutput without_links(const SpecimenCore &core)
+  {
+    LinkOutput out;
+    for (const LinkQuantity &quantity : core.bond_law->columns())
+      if (quantity.shown && core.bond_law->bonds())
+        out.quantities.push_back(quantity);
+    out.history.resize(out.quantities.size());
+    return out;
+  }
+
   namespace
   {
     void append_line(LinkOutput       &out,
@@ -184,17 +194,6 @@ namespace dem
           out.history[shown++].push_back(links.history[c][l]);
       for (; shown < out.history.size(); ++shown)
         out.history[shown].push_back(0.0);
-    }
-
-    /** No links, and a column for each quantity that the law of the bonds shows. */
-    LinkOutput without_links(const SpecimenCore &core)
-    {
-      LinkOutput out;
-      for (const LinkQuantity &quantity : core.bond_law->columns())
-        if (quantity.shown && core.bond_law->bonds())
-          out.quantities.push_back(quantity);
-      out.history.resize(out.quantities.size());
-      return out;
     }
 
     const LinkLaw &law_of(const SpecimenCore &core, const LinkSet &links)

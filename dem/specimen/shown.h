@@ -58,6 +58,8 @@ namespace dem
   /** Mean damage of the links that it was made with. @param damage of those that are there, added up */
   double mean_damage_of(const Particles &particles, std::size_t i, double damage);
 
+  /** No links, and a column for each quantity that the law of the bonds shows. */
+  LinkOutput without_links(const SpecimenCore &core);
   /** Some lines of a set; what has broken; glue to surfaces: as links_of() shows them. */
   LinkOutput links_among(const SpecimenCore &core, const LinkSet &links, const LinkRange &lines);
   LinkOutput broken_links(const SpecimenCore &core);

@@ -97,6 +97,73 @@ namespace dem
     return out;
   }
 
+  namespace
+  {
+    template <typename Matrix>
+    void put(std::vector<double> &numbers, const Matrix &values)
+    {
+      numbers.insert(numbers.end(), values.data(), values.data() + values.size());
+    }
+
+    /** Of some particles, from the first of them on. */
+    LinkEffects part_of(const LinkEffects &effects, const std::size_t begin, const std::size_t end)
+    {
+      const auto from = static_cast<std::ptrdiff_t>(begin), to = static_cast<std::ptrdiff_t>(end);
+      return {{effects.moments.begin() + from, effects.moments.begin() + to},
+              {effects.damage.begin() + from, effects.damage.begin() + to}};
+    }
+
+    /** What lasting_particles() does not know, for as many particles. */
+    void add_changing(ParticleOutput &out, const SpecimenCore &core)
+    {
+      const std::size_t n = core.particles.count;
+      for (std::vector<Eigen::Vector3d> *column :
+           {&out.position, &out.displacement, &out.velocity, &out.angular_velocity})
+        column->resize(n);
+      out.damage.resize(n);
+      out.stress.resize(n);
+      out.mass.resize(n);
+      for (std::size_t i = 0; i < n; ++i)
+        out.mass[static_cast<std::size_t>(core.particles.number[i])] = core.mass_of(i);
+    }
+  } // namespace
+
+  ParticleOutput all_particles_for_first(const ObservedSpecimen &specimen)
+  {
+    constexpr std::size_t of_each = 19;
+    SpecimenCore         &core    = core_in_parts_of(specimen);
+    if (core.has_all_links())
+      core.gather_particles(); // they may have moved since
+    const ShownParticles read    = read_by_each(core);
+    const LinkEffects    effects = effects_of_links(core, read, !core.has_all_links());
+    ParticleOutput       out;
+    if (core.is_first())
+      add_changing(out = lasting_particles(specimen), core);
+    core.tell_first_of_particles(
+      [&](const std::size_t begin, const std::size_t end, std::vector<double> &numbers) {
+        const ParticleOutput some =
+          particles_of(core, {begin, end}, part_of(effects, begin - read.first, end - read.first));
+        for (std::size_t i = 0; i < end - begin; ++i)
+          {
+            for (const auto *column : {&some.position, &some.displacement, &some.velocity, &some.angular_velocity})
+              put(numbers, (*column)[i]);
+            put(numbers, base::stress_voigt(some.stress[i]));
+            numbers.push_back(some.damage[i]);
+          }
+      },
+      taking(of_each, [&](const std::size_t i, const double *numbers) {
+        const auto to = static_cast<std::size_t>(core.particles.number[i]);
+        for (auto *column : {&out.position, &out.displacement, &out.velocity, &out.angular_velocity})
+          {
+            (*column)[to] = Eigen::Vector3d(numbers);
+            numbers += 3;
+          }
+        out.stress[to] = base::stress_tensor(base::Voigt(numbers));
+        out.damage[to] = numbers[6];
+      }));
+    return out;
+  }
+
   std::vector<double> stress_for_first(const ObservedSpecimen &specimen)
   {
     SpecimenCore                &core    = core_in_parts_of(specimen);
@@ -139,6 +206,83 @@ namespace dem
     std::vector<double> numbers;
     say(broken_links(core), numbers);
     take(numbers);
+  }
+
+  namespace
+  {
+    /** What files for ParaView show of links beside their ends, kinds and pairs of materials. */
+    template <typename Links, typename Use>
+    void each_shown_column(Links &links, const Use &use)
+    {
+      for (auto *column : {&links.normal_force, &links.shear_force, &links.normal_stress, &links.shear_stress,
+                           &links.normal_strain, &links.damage})
+        use(*column);
+      for (auto &column : links.history)
+        use(column);
+    }
+
+    /** Room for all, of which pages are taken as they are filled. */
+    void reserve(LinkOutput &out, const SpecimenCore &core)
+    {
+      const std::size_t most = core.bonds.alive + core.contacts.alive + core.cracks.count();
+      out.ends.reserve(most);
+      out.kind.reserve(most);
+      out.pair.reserve(core.bond_law->several() ? most : 0);
+      each_shown_column(out, [&](std::vector<double> &column) { column.reserve(most); });
+    }
+
+    /** Four numbers of each, its shown columns, and where it is to be seen its branch. */
+    void put_link(const LinkOutput &some, const std::size_t l, const bool branch, std::vector<double> &numbers)
+    {
+      numbers.insert(numbers.end(), {static_cast<double>(some.ends[l][0]), static_cast<double>(some.ends[l][1]),
+                                     static_cast<double>(some.kind[l]), some.pair.empty() ? -1.0 : some.pair[l]});
+      each_shown_column(some, [&](const std::vector<double> &column) { numbers.push_back(column[l]); });
+      if (branch)
+        put(numbers, some.load[l].branch);
+    }
+
+    void take_link(LinkOutput &out, const double *numbers)
+    {
+      out.ends.push_back({static_cast<std::size_t>(numbers[0]), static_cast<std::size_t>(numbers[1])});
+      out.kind.push_back(static_cast<std::int32_t>(numbers[2]));
+      if (numbers[3] >= 0)
+        out.pair.push_back(static_cast<std::int32_t>(numbers[3]));
+      numbers += 4;
+      each_shown_column(out, [&](std::vector<double> &column) { column.push_back(*numbers++); });
+    }
+  } // namespace
+
+  LinkOutput shown_links_for_first(const ObservedSpecimen &specimen, const SeeLinks &see)
+  {
+    const SpecimenCore &core    = core_in_parts_of(specimen);
+    LinkOutput          out     = without_links(core);
+    std::size_t         columns = 4;
+    each_shown_column(out, [&](const std::vector<double> &) { ++columns; });
+    const std::size_t of_each = columns + (see ? 3 : 0);
+    if (core.is_first())
+      reserve(out, core);
+    tell_first_of_links(
+      specimen,
+      [&](const LinkOutput &some, const std::size_t l, std::vector<double> &numbers) {
+        put_link(some, l, static_cast<bool>(see), numbers);
+      },
+      [&](const std::vector<double> &numbers) {
+        LinkOutput some;
+        for (std::size_t n = 0; n < numbers.size(); n += of_each)
+          {
+            take_link(out, &numbers[n]);
+            if (!see)
+              continue;
+            some.ends.push_back(out.ends.back());
+            some.kind.push_back(out.kind.back());
+            some.load.emplace_back().branch = Eigen::Vector3d(&numbers[n + columns]);
+          }
+        if (see)
+          see(some);
+      });
+    if (core.is_first())
+      out.glue = glue_of(core);
+    return out;
   }
 
   LinkOutput damaged_links_for_first(const ObservedSpecimen &specimen)

@@ -21,6 +21,8 @@ namespace dem
   ParticleOutput placed_particles_for_first(const ObservedSpecimen &specimen);
   /** And damage. */
   ParticleOutput particles_for_first(const ObservedSpecimen &specimen);
+  /** On the first rank all of ObservedSpecimen::particles(), on others nothing. */
+  ParticleOutput all_particles_for_first(const ObservedSpecimen &specimen);
   /** On the first rank of each particle xx yy zz yz xz xy of its stress, symmetric [Pa]; on others nothing. */
   std::vector<double> stress_for_first(const ObservedSpecimen &specimen);
 
@@ -29,6 +31,15 @@ namespace dem
   /** The first rank takes what is said of links, in the order of ObservedSpecimen::links(); called several times. */
   using TakeOfLinks = std::function<void(const std::vector<double> &numbers)>;
   void tell_first_of_links(const ObservedSpecimen &specimen, const TellOfLink &tell, const TakeOfLinks &take);
+
+  /** Is shown some links at a time, in their order, without glue: their ends, kinds and branches. */
+  using SeeLinks = std::function<void(const LinkOutput &some)>;
+  /**
+   * On the first rank ObservedSpecimen::links() without what files for ParaView do not show: loads, strength_damage and dissipated are empty. On
+   * others nothing.
+   * @param see called on the first; all ranks give one, or none does
+   */
+  LinkOutput shown_links_for_first(const ObservedSpecimen &specimen, const SeeLinks &see = {});
 
   /** Bonds that are damaged, and broken links, on the first rank: ends, kind, pair, damage, branches; and all glue. The other columns are empty. */
   LinkOutput damaged_links_for_first(const ObservedSpecimen &specimen);

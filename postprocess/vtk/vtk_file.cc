@@ -45,6 +45,15 @@ namespace postprocess::vtk_file
     return array;
   }
 
+  Array make_view(const std::string &name, const std::vector<double> &values)
+  {
+    constexpr int not_its_own = 1;
+    auto          array       = make_empty<vtkDoubleArray>(name, 1, 0);
+    // A writer only reads them, but VTK knows no array of constants.
+    array->SetArray(const_cast<double *>(values.data()), static_cast<vtkIdType>(values.size()), not_its_own);
+    return array;
+  }
+
   Array make_array(const std::string &name, const std::vector<std::int32_t> &values)
   {
     auto array = make_empty<vtkIntArray>(name, 1, values.size());
@@ -106,9 +115,8 @@ namespace postprocess::vtk_file
       values->AddArray(array);
   }
 
-  void FieldWriter::add_own(const std::string &name, const std::string &unit, const std::vector<double> &values) const
+  void FieldWriter::add_own(const Array &array, const std::string &unit) const
   {
-    const Array array = make_array(name, values);
     if (!unit.empty() && unit != "-")
       array->GetInformation()->Set(vtkDataArray::UNITS_LABEL(), unit.c_str());
     data->GetCellData()->AddArray(array);

@@ -26,6 +26,8 @@ namespace postprocess::vtk_file
   Array make_array(const std::string &name, const std::vector<Eigen::Vector3d> &values);
   /** Symmetric tensor in VTK's order XX YY ZZ XY YZ XZ. */
   Array make_array(const std::string &name, const std::vector<Eigen::Matrix3d> &values);
+  /** The same numbers, not copied: they must outlive what is written of them. */
+  Array make_view(const std::string &name, const std::vector<double> &values);
   /** Rows of 1, 3 (vector) or 6 numbers (symmetric tensor, in VTK's order). */
   Array make_array(const std::string &name, const std::vector<float> &values, int components);
   Array make_numbers(const std::string &name, const std::vector<std::int64_t> &values);
@@ -58,7 +60,7 @@ namespace postprocess::vtk_file
     }
 
     /** Cell data that a link law or a material of its own declares, in its names. */
-    void add_own(const std::string &name, const std::string &unit, const std::vector<double> &values) const;
+    void add_own(const Array &array, const std::string &unit) const;
 
   private:
     const FieldFile &file;

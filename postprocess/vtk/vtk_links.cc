@@ -121,6 +121,12 @@ namespace postprocess
       return of_links;
     }
 
+    /** The same in place of copies where there is no glue. */
+    Array numbers_of(const std::string &name, const std::vector<double> &of_links, const std::vector<double> &of_glue)
+    {
+      return of_glue.empty() ? make_view(name, of_links) : make_array(name, joined(of_links, of_glue));
+    }
+
     std::vector<std::int32_t> kinds(const dem::LinkOutput &links)
     {
       std::vector<std::int32_t> all = links.kind;
@@ -153,10 +159,11 @@ namespace postprocess
       if (shown.in_pieces)
         values.add(make_numbers("line", shown.lines));
       for (std::size_t c = 0; c < links.quantities.size(); ++c)
-        values.add_own(links.quantities[c].name, links.quantities[c].unit,
-                       joined(links.history[c], std::vector<double>(more, 0.0)));
+        values.add_own(numbers_of(links.quantities[c].name, links.history[c], std::vector<double>(more, 0.0)),
+                       links.quantities[c].unit);
     }
 
+    /** As long as what is shown stays: its numbers are not all copied. */
     vtkSmartPointer<vtkPolyData> data_of(const Shown &shown)
     {
       const dem::LinkOutput &links = shown.links;
@@ -172,12 +179,12 @@ namespace postprocess
       values.add("id", ends.id);
       values.add("radius", ends.radius);
       values.add("displacement", ends.displacement);
-      values.add("normal_force", joined(links.normal_force, glue.normal_force));
-      values.add("shear_force", joined(links.shear_force, glue.shear_force));
-      values.add("normal_stress", joined(links.normal_stress, glue.normal_stress));
-      values.add("shear_stress", joined(links.shear_stress, glue.shear_stress));
-      values.add("normal_strain", joined(links.normal_strain, glue.normal_strain));
-      values.add("damage", joined(links.damage, glue.damage));
+      values.add(numbers_of("normal_force", links.normal_force, glue.normal_force));
+      values.add(numbers_of("shear_force", links.shear_force, glue.shear_force));
+      values.add(numbers_of("normal_stress", links.normal_stress, glue.normal_stress));
+      values.add(numbers_of("shear_stress", links.shear_stress, glue.shear_stress));
+      values.add(numbers_of("normal_strain", links.normal_strain, glue.normal_strain));
+      values.add(numbers_of("damage", links.damage, glue.damage));
       values.add("kind", kinds(links));
       values.add("broken", broken_flags(links));
       add_occasional(values, shown);

@@ -2,7 +2,6 @@
 #include "dem/specimen/rank_output.h"
 
 #include "dem/observation/link_images.h"
-#include "dem/specimen/read_by_first.h"
 #include "rank_threads.h"
 #include "shown_bodies.h"
 
@@ -276,25 +275,4 @@ TEST_CASE("ranks show what is glued to surfaces, torn or not, once", "[dem][rank
   CHECK(whole.back().glue == 100);
   check(each, whole, 2, 0);
   check(each, whole, 3, 50);
-}
-
-TEST_CASE("what the first of several ranks is given to read alone is counted as sent", "[dem][ranks]")
-{
-  std::vector<std::int64_t> more(2, 0);
-  rank_threads::run(2, [&](const std::shared_ptr<dem::Ranks> &ranks) {
-    omp_set_num_threads(1);
-    dem::Specimen body = thrown_apart(parallel());
-    body.share_among(ranks);
-    body.advance(3);
-    const auto before = sent_by(body);
-    {
-      const dem::ReadByFirst reading(body);
-    }
-    const auto after = sent_by(body);
-    if (ranks->rank() == 0)
-      for (std::size_t r = 0; r < 2; ++r)
-        more[r] = after[r].second - before[r].second;
-  });
-  CHECK(more[0] == 0);
-  CHECK(more[1] > 0);
 }

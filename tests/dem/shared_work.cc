@@ -3,7 +3,6 @@
 #include "clusters.h"
 #include "dem/specimen/core.h"
 #include "dem/specimen/rank_shares.h"
-#include "dem/specimen/read_by_first.h"
 #include "dem/specimen/specimen.h"
 #include "periodic_cell_fixture.h"
 #include "rank_threads.h"
@@ -198,11 +197,6 @@ namespace
             {
               body->advance(each.steps / 2);
               different[ranks->rank()] = differences(half, state_of(*body)); // reading it changes nothing
-              {
-                const dem::ReadByFirst reading(body->specimen());
-                if (ranks->rank() == 0 && readings_of(body->specimen()) != read)
-                  different[0] += " read by the first";
-              }
               if (readings_of(body->specimen()) != read)
                 different[ranks->rank()] += " read by all";
             }

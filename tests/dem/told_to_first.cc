@@ -44,6 +44,48 @@ namespace
       }
   }
 
+  void put_all_particles(Told &told, const dem::ParticleOutput &of)
+  {
+    for (std::size_t i = 0; i < of.position.size(); ++i)
+      {
+        std::vector<double> &numbers = told["all of particles"];
+        for (const auto *column : {&of.position, &of.displacement, &of.velocity, &of.angular_velocity})
+          put(numbers, (*column)[i]);
+        put(numbers, of.stress[i]);
+        numbers.insert(numbers.end(),
+                       {of.radius[i], of.mass[i], of.damage[i], of.volume[i], static_cast<double>(of.held[i]),
+                        static_cast<double>(of.broken_links[i]), of.material.empty() ? -1.0 : of.material[i]});
+      }
+  }
+
+  void put_shown_links(Told &told, const dem::LinkOutput &of)
+  {
+    told["pairs"] = {of.pair.begin(), of.pair.end()};
+    told["kinds"] = {of.kind.begin(), of.kind.end()};
+    for (const auto &[first, second] : of.ends)
+      told["ends"].insert(told["ends"].end(), {static_cast<double>(first), static_cast<double>(second)});
+    std::vector<double> &numbers = told["shown of links"];
+    for (const auto *column :
+         {&of.normal_force, &of.shear_force, &of.normal_stress, &of.shear_stress, &of.normal_strain, &of.damage})
+      numbers.insert(numbers.end(), column->begin(), column->end());
+    for (std::size_t c = 0; c < of.history.size(); ++c)
+      told[of.quantities.at(c).name + " of links"] = of.history[c];
+    for (std::size_t g = 0; g < of.glue.particle.size(); ++g)
+      told["shown glue"].insert(told["shown glue"].end(), {of.glue.normal_stress[g], of.glue.shear_stress[g]});
+  }
+
+  /** What an image of a link is found from. */
+  void put_seen(Told &told, const dem::LinkOutput &some)
+  {
+    for (std::size_t l = 0; l < some.ends.size(); ++l)
+      {
+        std::vector<double> &numbers = told["seen"];
+        numbers.insert(numbers.end(), {static_cast<double>(some.ends[l][0]), static_cast<double>(some.ends[l][1]),
+                                       static_cast<double>(some.kind[l])});
+        put(numbers, some.load[l].branch);
+      }
+  }
+
   void put_damaged(Told &told, const dem::LinkOutput &of)
   {
     for (std::size_t l = 0; l < of.ends.size(); ++l)
@@ -76,6 +118,14 @@ namespace
     return {static_cast<double>(links.ends[l][0]), static_cast<double>(links.ends[l][1]), links.normal_force[l]};
   }
 
+  /** Without columns of what there is none of. */
+  Told nonempty(Told told)
+  {
+    for (auto at = told.begin(); at != told.end();)
+      at = at->second.empty() ? told.erase(at) : std::next(at);
+    return told;
+  }
+
   /** Read by one that has all. */
   Told read_whole(const dem::ObservedSpecimen &specimen)
   {
@@ -87,11 +137,14 @@ namespace
       told["column " + std::to_string(static_cast<int>(column))] = numbers;
     });
     put_particles(told, particles);
+    put_all_particles(told, particles);
     put_damaged(told, links);
+    put_shown_links(told, links);
+    put_seen(told, links);
     put_crack(told, dem::measure_crack(particles, links, {made.physics.dimension, made.density, made.thickness}));
     for (std::size_t l = 0; l < links.ends.size(); ++l)
       put(told["forces"], Eigen::Map<const Eigen::Vector3d>(row_of(links, l).data()).eval());
-    return told;
+    return nonempty(told);
   }
 
   /** Told part by part; the first rank has something, all have what is added up. */
@@ -103,6 +156,11 @@ namespace
         told["column " + std::to_string(static_cast<int>(column))] = numbers;
     });
     put_particles(told, dem::particles_for_first(specimen));
+    put_all_particles(told, dem::all_particles_for_first(specimen));
+    put_shown_links(told, dem::shown_links_for_first(specimen));
+    const dem::LinkOutput again =
+      dem::shown_links_for_first(specimen, [&](const dem::LinkOutput &some) { put_seen(told, some); });
+    CHECK(again.load.empty());
     put_damaged(told, dem::damaged_links_for_first(specimen));
     put_crack(told, dem::measure_crack(specimen));
     dem::tell_first_of_links(
@@ -115,15 +173,7 @@ namespace
         if (!numbers.empty())
           told["forces"].insert(told["forces"].end(), numbers.begin(), numbers.end());
       });
-    return told;
-  }
-
-  /** Without columns of what there is none of. */
-  Told nonempty(Told told)
-  {
-    for (auto at = told.begin(); at != told.end();)
-      at = at->second.empty() ? told.erase(at) : std::next(at);
-    return told;
+    return nonempty(told);
   }
 
   constexpr int moments = 3; // at the start, half way and at the end
@@ -137,7 +187,7 @@ namespace
       {
         if (moment > 0)
           body->advance(each.steps / (moments - 1));
-        found.push_back(nonempty(read_whole(body->specimen())));
+        found.push_back(read_whole(body->specimen()));
         CHECK((read_in_parts(body->specimen()) == found.back()));
       }
     return found;
@@ -233,6 +283,8 @@ TEST_CASE("no rank takes memory for others' links or motion while the first is t
       columns += ranks->rank() == 0;
     });
     dem::particles_for_first(body);
+    dem::all_particles_for_first(body);
+    dem::shown_links_for_first(body);
     dem::damaged_links_for_first(body);
     dem::measure_crack(body);
     note(most);
@@ -242,4 +294,24 @@ TEST_CASE("no rank takes memory for others' links or motion while the first is t
   CHECK(columns == 10);
   CHECK(most <= before);
   CHECK(before < 2 * whole);
+}
+
+TEST_CASE("what the first rank is told of a specimen is counted as sent", "[dem][ranks]")
+{
+  std::vector<std::int64_t> more(2, 0);
+  rank_threads::run(2, [&](const std::shared_ptr<dem::Ranks> &ranks) {
+    omp_set_num_threads(1);
+    dem::Specimen body = thrown_apart(parallel());
+    body.share_among(ranks);
+    body.advance(3);
+    const auto before = body.shares();
+    dem::all_particles_for_first(body);
+    dem::shown_links_for_first(body);
+    const auto after = body.shares();
+    if (ranks->rank() == 0)
+      for (std::size_t r = 0; r < 2; ++r)
+        more[r] = after[r].bytes - before[r].bytes;
+  });
+  CHECK(more[0] == 0);
+  CHECK(more[1] > 0);
 }

@@ -25,7 +25,7 @@ namespace apps
     root.find_section("Output")
       ->choice("Pieces", output.pieces, {{"one", SnapshotPieces::one}, {"per rank", SnapshotPieces::per_rank}},
                Need::optional)
-      .means("ParaView files of particles and links: one (.vtp), for which the first rank is given all of them, or a "
+      .means("ParaView files of particles and links: one (.vtp), which the first rank holds while it writes it, or a "
              "piece per rank with a record of the pieces (.pvtp), which needs memory for a rank's own part alone; on "
              "one rank there is one piece");
   }
