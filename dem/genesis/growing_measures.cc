@@ -219,8 +219,7 @@ namespace dem
     const MotionSums motion = sum_motion();
     stopped += motion.kinetic;
     damped += motion.damped;
-    const auto [begin, end] = known_particles();
-    std::fill(&particles.velocity[record_size * begin], &particles.velocity[record_size * end], 0.0);
+    std::fill(particles.velocity.begin(), particles.velocity.end(), 0.0);
   }
 
   void GrowingAssembly::set_radii(const std::vector<double> &radius, const std::vector<Eigen::Vector3d> &centre)

@@ -15,7 +15,7 @@ namespace dem
   void GrowingAssembly::share_out()
   {
     if (shared)
-      shared->plan(particles, none, contacts);
+      shared->plan(particles, none, contacts, {});
   }
 
   void GrowingAssembly::share_out_anew()
