@@ -1,6 +1,7 @@
 #include "dem/genesis/growing_assembly.h"
 
 #include "dem/model/materials.h"
+#include "dem/specimen/shared_work.h"
 
 #include <algorithm>
 #include <cmath>

@@ -7,16 +7,17 @@
 #include "dem/laws/linear_contact.h"
 #include "dem/model/links.h"
 #include "dem/model/particles.h"
-#include "dem/specimen/shared_work.h"
 
 #include <cstdint>
 #include <memory>
-#include <optional>
 #include <utility>
 #include <vector>
 
 namespace dem
 {
+  class Ranks;
+  class SharedWork;
+
   /** What particles are made of while they grow. */
   struct GrowthMaterial
   {
@@ -77,6 +78,7 @@ namespace dem
   public:
     /** @param start particles inside the vessel, at rest */
     GrowingAssembly(const Packing &start, const Vessel &vessel, const GrowthMaterial &material);
+    ~GrowingAssembly();
 
     /**
      * From now on these ranks share the work (doc/theory/ranks.md, 3). All have made the same assembly, and call all members but steps(), size(),
@@ -133,8 +135,8 @@ namespace dem
     /** Net force of links and walls on a particle (3) [N] | couple (3) [N m], and the sum of their sizes [N]. */
     double net_force(std::size_t particle, double *force) const;
     /** Whether what some contacts remember and do is known to other ranks only, and likewise of the motion of particles. */
-    bool lacks_contacts() const { return shared && shared->lacks_contacts(); }
-    bool lacks_motion() const { return shared && (shared->lacks_particles() || shared->lacks_contacts()); }
+    bool lacks_contacts() const;
+    bool lacks_motion() const;
     /** Lines of contacts, and particles, of which it is known here, begin and end. */
     std::pair<std::size_t, std::size_t> known_contacts() const;
     std::pair<std::size_t, std::size_t> known_particles() const;
@@ -166,6 +168,6 @@ namespace dem
     bool                              forces_known = false;     ///< at the present places
     std::int64_t                      step_count = 0, fits = 0; ///< how often radii were set
     double                            growth = 0, damped = 0, stopped = 0;
-    std::optional<SharedWork>         shared; ///< among ranks; none: alone
+    std::unique_ptr<SharedWork>       shared; ///< among ranks; none: alone
   };
 } // namespace dem

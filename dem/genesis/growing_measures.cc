@@ -2,6 +2,7 @@
 
 #include "dem/genesis/block_sums.h"
 #include "dem/genesis/growing_assembly.h"
+#include "dem/specimen/shared_work.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,7 @@
 // How ranks share the work of a growing assembly (doc/theory/ranks.md, 3).
 
 #include "dem/genesis/growing_assembly.h"
+#include "dem/specimen/shared_work.h"
 
 #include <algorithm>
 #include <utility>
@@ -9,8 +10,14 @@ namespace dem
 {
   void GrowingAssembly::share_among(std::shared_ptr<Ranks> ranks, const std::int64_t move_every)
   {
-    shared.emplace(std::move(ranks), move_every);
+    shared = std::make_unique<SharedWork>(std::move(ranks), move_every);
   }
+
+  GrowingAssembly::~GrowingAssembly() = default;
+
+  bool GrowingAssembly::lacks_contacts() const { return shared && shared->lacks_contacts(); }
+
+  bool GrowingAssembly::lacks_motion() const { return shared && (shared->lacks_particles() || lacks_contacts()); }
 
   void GrowingAssembly::share_out()
   {

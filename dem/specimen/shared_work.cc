@@ -37,16 +37,17 @@ namespace dem
     template <typename Use>
     void for_contents(LinkSet &links, const std::size_t block, const Use &use)
     {
-      const LinkPart    lines = links.part_of_block(block);
-      const std::size_t count = lines.end - lines.begin;
-      use(&links.reference_length[lines.begin], count);
-      use(&links.area[lines.begin], count);
-      for (base::Column &column : links.history)
-        use(&column[lines.begin], count);
-      use(&links.force[record_size * lines.begin], record_size * count);
-      if (links.moments_apart)
-        use(&links.moment[half_record_size * lines.begin], half_record_size * count);
+      const LinkPart lines = links.part_of_block(block);
+      each_column_of_state(links, [&](base::Column &column, const std::size_t numbers) {
+        use(&column[numbers * lines.begin], numbers * (lines.end - lines.begin));
+      });
     }
+
+#ifdef BRECCIA_TRAP_FPE
+    constexpr bool audits = true;
+#else
+    constexpr bool audits = false;
+#endif
   } // namespace
 
   SharedWork::SharedWork(std::shared_ptr<Ranks> all, const std::int64_t every)
@@ -66,6 +67,10 @@ namespace dem
     if (std::exchange(given_back, false))
       in_steps = static_cast<std::int64_t>(resident_bytes(particles, {&bonds, &contacts}));
     of_bonds.stale = of_contacts.stale = true;
+    if (!audits && move_every == 0)
+      return;
+    compare_copies(bonds, of_bonds, particles);
+    compare_copies(contacts, of_contacts, particles);
   }
 
   double SharedWork::largest(double number) const

@@ -33,7 +33,8 @@ namespace dem
   public:
     /**
      * @param move_every steps after which ranges of bricks are changed, for tests; 0: only where bonds are sorted out anew. Where they are, what
-     * a rank does not have is no number, so that it shows where something reads it
+     * a rank does not have is no number, so that it shows where something reads it, and copies are compared with their owners' in every step,
+     * as in builds of the preset `audit`
      */
     SharedWork(std::shared_ptr<Ranks> ranks, std::int64_t move_every);
 
@@ -43,10 +44,7 @@ namespace dem
      * Share out sets of links that have been sorted out anew, if any; where bonds are, others' links take no memory from here on.
      * @pre such a set is up to date, and with bonds all particles are @param moved_by_all as of share_motion()
      */
-    void plan(Particles                       &particles,
-              LinkSet                         &bonds,
-              LinkSet                         &contacts,
-              const std::vector<std::int32_t> &moved_by_all);
+    void plan(Particles &particles, LinkSet &bonds, LinkSet &contacts, const std::vector<std::int32_t> &moved_by_all);
     /** Whether ranges are to be changed before a step, given by its number. */
     bool changes_ranges(std::int64_t step) const { return move_every > 0 && step > 0 && step % move_every == 0; }
     /** Change them with the next plan(). @pre all is up to date */
@@ -147,6 +145,8 @@ namespace dem
     /** Whole packs of others' blocks in which a link ends in a particle of this rank. */
     void append_copies(LinkSet &links, const SetShare &share) const;
     void find_ghosts(const Particles &particles, const LinkSet &bonds, const LinkSet &contacts);
+    /** For an audit. @throws base::NumericalError naming a link of which this rank has another copy than its owner, to the last bit */
+    void compare_copies(const LinkSet &links, const SetShare &share, const Particles &particles);
     /** Each rank's part of columns of so many bytes a block, all gathered. */
     void gather_blocks(void *column, std::size_t bytes_of_block, const SetShare &share);
     void gather_links(LinkSet &links, SetShare &share);

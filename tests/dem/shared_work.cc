@@ -420,6 +420,25 @@ TEST_CASE("ranks that search for links and contacts together make the specimen o
     }
 }
 
+TEST_CASE("an audit names a link of which a rank has another copy than the rank that it belongs to", "[dem][ranks]")
+{
+  const auto pulled_by_two = [](const double modulus_of_second) {
+    rank_threads::run(2, [&](const std::shared_ptr<dem::Ranks> &ranks) {
+      auto material = cluster::concrete();
+      if (ranks->rank() == 1)
+        material.normal_modulus = modulus_of_second;
+      dem::Specimen specimen(bar(700), cluster::bonded(1.5), material);
+      specimen.share_among(ranks, 1000); // as in tests that move ranges
+      specimen.set_velocity(399, Vector3d(0.1, 0, 0), Vector3d::Zero());
+      specimen.advance(20);
+    });
+  };
+  const double modulus = cluster::concrete().normal_modulus;
+  CHECK_NOTHROW(pulled_by_two(modulus));
+  CHECK_THROWS_WITH(pulled_by_two((1 + 1e-9) * modulus),
+                    Catch::Contains("audit of ranks: rank") && Catch::Contains("the one between particles"));
+}
+
 TEST_CASE("where one rank finds no number, all stop by the same words", "[dem][ranks]")
 {
   std::vector<std::string> words(3);
