@@ -2,13 +2,14 @@
 # All of its tests as well would be compiled, and run, a second time for nothing. The options are those of the build itself, so that ccache
 # has every object already: seconds of work where it is installed, minutes where it is not.
 #
-#   cmake -D SOURCE=<root> -D SCRATCH=<build folder> -D CTEST=<ctest> -D "OPTIONS=<-D options of this build>" \
+#   cmake -D SOURCE=<root> -D SCRATCH=<build folder> -D CTEST=<ctest> -D "OPTIONS=<-D options of this build, blanks between them>" \
 #         -P dem_alone.cmake
 #
 # A package that is installed all the same is hidden from find_package; that no source includes it, nor a test of the room, is the business
 # of include_arrows.
 cmake_minimum_required(VERSION 3.25)
 
+separate_arguments(OPTIONS)
 set(hidden deal.II VTK HDF5 MPI CLI11 nlohmann_json fmt)
 list(TRANSFORM hidden REPLACE "(.+)" "-DCMAKE_DISABLE_FIND_PACKAGE_\\1=ON")
 execute_process(COMMAND "${CMAKE_COMMAND}" -S "${SOURCE}" -B "${SCRATCH}" -G Ninja -D BRECCIA_ROOMS=dem ${OPTIONS} ${hidden}
