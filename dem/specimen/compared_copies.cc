@@ -12,20 +12,15 @@ namespace dem
 {
   namespace
   {
-    /** What the links of a pack remember, and do. */
-    void append_pack(std::vector<double> &numbers, const LinkSet &links, const std::int32_t pack)
-    {
-      each_column_of_state(links, [&](const base::Column &column, const std::size_t of_line) {
-        const auto begin = column.begin() + static_cast<std::ptrdiff_t>(of_line * pack_size) * pack;
-        numbers.insert(numbers.end(), begin, begin + static_cast<std::ptrdiff_t>(of_line * pack_size));
-      });
-    }
-
+    /** What the links of some packs remember, and do, one pack after the other. */
     std::vector<double> contents_of(const LinkSet &links, const std::vector<std::int32_t> &packs)
     {
       std::vector<double> numbers;
       for (const std::int32_t pack : packs)
-        append_pack(numbers, links, pack);
+        each_column_of_state(links, [&](const base::Column &column, const std::size_t of_line) {
+          const auto length = static_cast<std::ptrdiff_t>(of_line * pack_size);
+          numbers.insert(numbers.end(), column.begin() + length * pack, column.begin() + length * (pack + 1));
+        });
       return numbers;
     }
 
