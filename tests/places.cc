@@ -10,6 +10,7 @@ namespace places
     static const std::string folder = BRECCIA_SOURCE_DIR;
     return folder;
   }
+  std::string        scene(const std::string &name) { return sources() + "/apps/scenes/" + name; }
   const std::string &program()
   {
     static const std::string file = BRECCIA_PROGRAM;

@@ -99,8 +99,6 @@ namespace
     const std::size_t i = std::min<std::size_t>(curve.size() - 1, std::max<std::ptrdiff_t>(1, above - curve.begin()));
     return 0.01 * (static_cast<double>(i) - 1 + (pressure - curve[i - 1]) / (curve[i] - curve[i - 1]));
   }
-
-  std::string scene(const std::string &name) { return places::sources() + "/apps/scenes/" + name; }
 } // namespace
 
 TEST_CASE(
@@ -114,7 +112,7 @@ TEST_CASE(
   const std::vector<std::string> slowly = {"Boundary conditions/head/Displacement z=-0.05*t", "Motion/End time=0.8",
                                            "Motion/Damping=5", "Materials/middle/cells/Answer=" + answer,
                                            "Materials/bottom/cells/Answer=" + answer};
-  const Results                  run    = results_of(folder, scene("three_cubes.prm"), slowly);
+  const Results                  run    = results_of(folder, places::scene("three_cubes.prm"), slowly);
   const auto                     last   = [&](const char *column) { return run.series.column(column).back(); };
   const double                   pushed = 0.05 * last("time"), lower = -last("displacement_lower_joint_z"),
                upper = -last("displacement_upper_joint_z");
@@ -143,7 +141,7 @@ TEST_CASE("Three cubes pushed by a third share the way as cells driven alone do,
   // Far beyond small strains: the links of cells that are shortened turn away from the push, and the elastic cube stays linear.
   const ScratchFolder folder;
   const Results       run =
-    results_of(folder, scene("three_cubes.prm"),
+    results_of(folder, places::scene("three_cubes.prm"),
                {"Boundary conditions/head/Displacement z=-0.4*t", "Motion/End time=2.5", "Motion/Damping=10"});
   const auto       lower = pressures_of_cells(0, 2e6), middle = pressures_of_cells(8, 4e6);
   constexpr double elastic = 4e6 * 0.8 / (1.2 * 0.6);
@@ -175,10 +173,10 @@ TEST_CASE("Three cubes pushed by a third share the way as cells driven alone do,
 TEST_CASE("A scene with cells says what they are, how many are particles and where", "[apps][cells]")
 {
   const ScratchFolder folder;
-  const Outcome       check = outcome_of(folder, "check", scene("cells_at_hole.prm"), small_plate());
+  const Outcome       check = outcome_of(folder, "check", places::scene("cells_at_hole.prm"), small_plate());
   CHECK(check.status == 0);
   CHECK_THAT(check.out, Contains("cells of 32 particles") && Contains("promoted at 0.9"));
-  const Results run      = results_of(folder, scene("cells_at_hole.prm"), small_plate());
+  const Results run      = results_of(folder, places::scene("cells_at_hole.prm"), small_plate());
   const auto   &promoted = run.series.column("points_promoted");
   CHECK(promoted.front() == 0);
   CHECK(promoted.back() > 0);
@@ -201,7 +199,7 @@ TEST_CASE("A run with cells ends where the first one localises, and names it", "
 {
   const ScratchFolder folder;
   const Results       run = results_of(
-          folder, scene("cells_at_hole.prm"),
+          folder, places::scene("cells_at_hole.prm"),
           small_plate({"Control/End=20", "Control/First step=0.05", "Control/Largest step=0.05", "Output/Snapshots=1"}));
   CHECK_THAT(run.summary["ended_by"].get<std::string>(),
              Contains("end of validity: the cell at") && Contains("has localised") && Contains("normal"));
@@ -214,7 +212,7 @@ TEST_CASE("A coupled run with cells ends where the first one localises, and name
   const ScratchFolder folder;
   const std::string   patch = "Continuum/Materials/patch/cells/";
   const Results       run =
-    results_of(folder, scene("cells_under_ball.prm"),
+    results_of(folder, places::scene("cells_under_ball.prm"),
                {patch + "When localised=stop", patch + "Material/CPM/Relative ductility=2",
                 patch + "Specimen/Generator/Cell particles=16", "Particles/Initial velocity/ball/Velocity z=-10"});
   CHECK_THAT(run.summary["ended_by"].get<std::string>(),
@@ -229,7 +227,7 @@ TEST_CASE("A strip of elastic cells that is lifted far is an elastica", "[apps][
   // 0.6033 L. It is thin, but neither without shear nor without extension.
   const ScratchFolder folder;
   const Results       run =
-    results_of(folder, scene("cells_in_strip.prm"),
+    results_of(folder, places::scene("cells_in_strip.prm"),
                {cells + "Material/CPM/Limit elastic strain=1e30", cells + "Material/CPM/Cohesion=1e18",
                 "Control/First step=0.0205", "Control/Largest step=0.0205"});
   const auto &lifted = run.series.column("displacement_end_y"), &force = run.series.column("reaction_end_y");
@@ -249,7 +247,7 @@ TEST_CASE("A strip of cells that damage is softer than an elastic one, and its a
           "[apps][cells][slow]")
 {
   const ScratchFolder folder;
-  const Results       run = results_of(folder, scene("cells_in_strip.prm"));
+  const Results       run = results_of(folder, places::scene("cells_in_strip.prm"));
   CHECK(run.series.column("points_promoted").back() > 20);
   CHECK(run.series.column("largest_damage").back() > 0.02);
   CHECK(run.balance_error() < 1e-3);
@@ -266,8 +264,8 @@ TEST_CASE("A plate of disc cells is the same in plane stress and in plane strain
     "Materials/solid/cells/Tolerance=1e-11"}; // of cells, below that of the forces
   std::vector<std::string> other = coarse;
   other.push_back("Model/Plane=strain");
-  const Results one = results_of(stress, scene("cells_of_discs.prm"), coarse),
-                two = results_of(strain, scene("cells_of_discs.prm"), other);
+  const Results one = results_of(stress, places::scene("cells_of_discs.prm"), coarse),
+                two = results_of(strain, places::scene("cells_of_discs.prm"), other);
   const auto &force = one.series.column("reaction_right_x");
   REQUIRE(two.series.rows() == one.series.rows());
   for (std::size_t row = 0; row < force.size(); ++row)
@@ -279,20 +277,20 @@ TEST_CASE("A plate of disc cells is the same in plane stress and in plane strain
 TEST_CASE("Scenes with cells that cannot be are refused", "[apps][cells]")
 {
   const ScratchFolder folder;
-  is_refused(folder, scene("cells_at_hole.prm"), {"Model/Plane=stress"}, "not built for plane stress");
-  is_refused(folder, scene("cells_at_hole.prm"), {cells + "Promotion=0"}, "Promotion");
+  is_refused(folder, places::scene("cells_at_hole.prm"), {"Model/Plane=stress"}, "not built for plane stress");
+  is_refused(folder, places::scene("cells_at_hole.prm"), {cells + "Promotion=0"}, "Promotion");
   // Bonds with a contact in parallel are stiffer one way than the other.
-  is_refused(folder, scene("cells_at_hole.prm"),
+  is_refused(folder, places::scene("cells_at_hole.prm"),
              {cells + "Material/Law=parallel-bond", cells + "Material/parallel-bond/Effective modulus=1e9",
               cells + "Material/parallel-bond/Bond effective modulus=1e9",
               cells + "Material/parallel-bond/Tensile strength=1e6", cells + "Material/parallel-bond/Cohesion=1e6"},
              "From the start = true");
-  is_refused(folder, scene("cells_of_discs.prm"), {"Model/Dimension=3", "Mesh/Plate with hole/Depth=0.01"},
+  is_refused(folder, places::scene("cells_of_discs.prm"), {"Model/Dimension=3", "Mesh/Plate with hole/Depth=0.01"},
              "cells of discs are plane");
-  is_refused(folder, scene("cells_of_discs.prm"),
+  is_refused(folder, places::scene("cells_of_discs.prm"),
              {cells + "Specimen/Source=generator", cells + "Specimen/Generator/Particle radius=3e-4"},
              "Read the discs from a file");
   // Particles in motion behind a solid without time.
-  is_refused(folder, scene("cells_at_hole.prm"), {cells + "Answer=motion", cells + "Particle density=2400"},
+  is_refused(folder, places::scene("cells_at_hole.prm"), {cells + "Answer=motion", cells + "Particle density=2400"},
              "Set Model/Analysis = explicit, or Answer = equilibrium");
 }

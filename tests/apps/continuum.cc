@@ -1,6 +1,6 @@
 #include "postprocess/files/csv_table.h"
 #include "tests/apps/continuum_scenes.h"
-#include "tests/apps/program.h"
+#include "tests/apps/scene_runs.h"
 #include "tests/apps/scenes.h"
 #include "tests/apps/scratch_folder.h"
 #include "tests/environment.h"
@@ -17,11 +17,6 @@ using Catch::Contains;
 
 namespace
 {
-  nlohmann::json summary_in(const std::filesystem::path &folder)
-  {
-    return nlohmann::json::parse(content_of(folder / "summary.json"));
-  }
-
   double figure(const nlohmann::json &summary, const char *name)
   {
     return summary["figures"][name]["value"].get<double>();

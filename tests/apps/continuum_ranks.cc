@@ -1,7 +1,7 @@
 #include "postprocess/files/csv_table.h"
 #include "tests/apps/continuum_scenes.h"
-#include "tests/apps/program.h"
 #include "tests/apps/program_on_ranks.h"
+#include "tests/apps/scene_runs.h"
 #include "tests/apps/scenes.h"
 #include "tests/apps/scratch_folder.h"
 #include "tests/places.h"
@@ -32,11 +32,6 @@ namespace
                         " && export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMP_NUM_THREADS=1 && { " +
                         command + "; } > said 2>&1")
                          .c_str());
-  }
-
-  nlohmann::json summary_in(const std::filesystem::path &folder)
-  {
-    return nlohmann::json::parse(content_of(folder / "summary.json"));
   }
 } // namespace
 

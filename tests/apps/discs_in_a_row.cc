@@ -11,7 +11,7 @@ using namespace apps_tests;
 
 namespace
 {
-  constexpr double pi = 3.14159265358979323846, R = 1e-3, modulus = 10e9;
+  constexpr double R = 1e-3, modulus = 10e9;
 
   /** Discs of 1 mm radius and 1 m thickness, each touching the next along x, in groups of the first and the last. */
   std::string row_of_discs(const std::string &law, const std::string &constants)
@@ -182,7 +182,7 @@ end
 TEST_CASE("Two discs that are run into each other part after pi sqrt(m_eff/k_n), their velocities exchanged (T9)",
           "[apps][laws]")
 {
-  const double mass = 2500 * pi * R * R, rate = std::sqrt(2 * modulus / mass), duration = pi / rate;
+  const double mass = 2500 * M_PI * R * R, rate = std::sqrt(2 * modulus / mass), duration = M_PI / rate;
   const double stable        = impact(0.01).summary["cost"]["time_step"].get<double>() / 0.01;
   const auto   energy_change = [&](const double wanted) {
     const Results found = impact(wanted / stable);
@@ -202,8 +202,8 @@ TEST_CASE("Two discs that are run into each other part after pi sqrt(m_eff/k_n),
     {
       // Steps that divide the contact as they resolve it lose nothing; others gain where the discs part within one, at most so much
       // of the half of the energy that is of their approach (doc/theory/linear-contact.md, 3).
-      CHECK(std::fabs(energy_change(2 * std::sin(pi / 2 / steps) / rate)) < 1e-6);
-      const double largest = 0.5 * 0.25 * std::pow(pi / steps, 2);
+      CHECK(std::fabs(energy_change(2 * std::sin(M_PI / 2 / steps) / rate)) < 1e-6);
+      const double largest = 0.5 * 0.25 * std::pow(M_PI / steps, 2);
       CHECK(energy_change(duration / steps) < 4e-6);
       CHECK(energy_change(duration / (steps + 0.5)) == Approx(largest).epsilon(0.02));
     }
@@ -214,7 +214,7 @@ TEST_CASE("A disc on a spring that is run with local damping loses sqrt((1 - D)/
 {
   const ScratchFolder folder;
   folder.file("row.txt", row_packing(2));
-  const double mass = 2500 * pi * R * R, spring = modulus / 2.5, period = 2 * pi * std::sqrt(mass / spring);
+  const double mass = 2500 * M_PI * R * R, spring = modulus / 2.5, period = 2 * M_PI * std::sqrt(mass / spring);
   // Across: the same stiffness both ways.
   folder.file("x.prm",
               row_of_discs("parallel-bond", "    set Stiffness ratio = 2.5\n    set Tensile strength = 1e12\n    "

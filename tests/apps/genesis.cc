@@ -20,7 +20,7 @@ using Catch::Contains;
 namespace
 {
   /** A window of mortar of two sizes, bonded by flat joints and left alone for some steps. */
-  const std::string mortar = R"(set Kind = particles
+  const std::string mortar_scene = R"(set Kind = particles
 subsection Physics
   set Dimension       = 2
   set Largest overlap = 1
@@ -86,7 +86,7 @@ TEST_CASE("A scene grows its particles, bonds them without a force, and keeps wh
           "[apps][genesis]")
 {
   const ScratchFolder folder;
-  folder.file("mortar.prm", mortar);
+  folder.file("mortar.prm", mortar_scene);
   const Results found = results_of(folder, "mortar.prm");
   CHECK(found.summary["cost"]["particles"] == 344 + 34);
   CHECK(found.series.column("broken_links").back() == 0);
@@ -103,7 +103,7 @@ TEST_CASE("A scene grows its particles, bonds them without a force, and keeps wh
 TEST_CASE("The packing of a genesis is what a scene reads, to the same links", "[apps][genesis]")
 {
   const ScratchFolder folder;
-  folder.file("mortar.prm", mortar);
+  folder.file("mortar.prm", mortar_scene);
   const Results found = results_of(folder, "mortar.prm");
   std::filesystem::copy(folder / "results/packing.txt", folder / "packing.txt");
   std::filesystem::remove_all(folder / "results");
@@ -122,7 +122,7 @@ TEST_CASE("Platens stand where the vessel's walls stood, without a force", "[app
                                           "Laboratory/Speed=0.02",
                                           "Laboratory/Largest strain=1e-3",
                                           "Laboratory/Platens=vessel walls"};
-  folder.file("mortar.prm", mortar);
+  folder.file("mortar.prm", mortar_scene);
   const Results found = results_of(folder, "mortar.prm", press);
   // Of what lies at the walls a dozen discs at each end touch, not the one alone that was pressed in furthest.
   CHECK(found.series.column("contacts").back() > 12);
@@ -142,7 +142,7 @@ TEST_CASE("Published values of a test are reported beside its own, which do not 
                                           "Laboratory/Speed=0.04",     "Laboratory/Largest strain=4e-3",
                                           "Laboratory/Stop at=0.7",    "Laboratory/Platens=vessel walls",
                                           "Time/End time=0.1"};
-  folder.file("mortar.prm", mortar);
+  folder.file("mortar.prm", mortar_scene);
   const Results alone = results_of(folder, "mortar.prm", press);
   CHECK_FALSE(alone.summary["figures"]["laboratory"].contains("published"));
   const std::string curve          = content_of(folder / "results/stress_strain.csv");
@@ -171,7 +171,7 @@ TEST_CASE("Published values of a test are reported beside its own, which do not 
 TEST_CASE("A genesis that was interrupted goes on to the same bits", "[apps][genesis][slow]")
 {
   const ScratchFolder folder;
-  folder.file("mortar.prm", replaced(mortar, "0.02, 0.03", "0.03, 0.05"));
+  folder.file("mortar.prm", replaced(mortar_scene, "0.02, 0.03", "0.03, 0.05"));
   goes_on_to_the_same_bits(folder,
                            {{"run", "mortar.prm", "--no-cache"},
                             {"scene.prm"},
@@ -199,7 +199,7 @@ TEST_CASE("What a genesis cannot be made of is refused with the place", "[apps][
 {
   const ScratchFolder folder;
   const std::string   of = "Specimen/Genesis/";
-  folder.file("mortar.prm", mortar);
+  folder.file("mortar.prm", mortar_scene);
   is_refused(folder, "mortar.prm", {of + "Classes=1e-3: 0.5, 3e-3: 0.4"}, "fractions sum up to 0.9");
   is_refused(folder, "mortar.prm", {of + "Classes=1e-3"}, "expected diameter: fraction");
   is_refused(folder, "mortar.prm", {of + "Classes=1 m: 1"}, "not one particle fits");
@@ -216,7 +216,7 @@ TEST_CASE("What a genesis cannot be made of is refused with the place", "[apps][
 TEST_CASE("Sizes are read from a table: diameters, ranges or a sieve curve", "[apps][genesis]")
 {
   const ScratchFolder folder;
-  folder.file("mortar.prm", mortar);
+  folder.file("mortar.prm", mortar_scene);
   const auto forecast = [&](const std::string &table) {
     folder.file("sizes.csv", table);
     const Outcome found = outcome_of(folder, "check", "mortar.prm",
@@ -263,7 +263,7 @@ TEST_CASE("Sizes are read from a table: diameters, ranges or a sieve curve", "[a
 TEST_CASE("A vessel too small for its sizes is refused with the smallest that would do, which does", "[apps][genesis]")
 {
   const ScratchFolder folder;
-  folder.file("mortar.prm", mortar);
+  folder.file("mortar.prm", mortar_scene);
   const std::string              of        = "Specimen/Genesis/";
   const std::vector<std::string> requested = {of + "Classes=1e-3: 0.75, 8e-3: 0.25", of + "Porosity=0.15"};
   const auto                     with      = [&](const std::vector<std::string> &more) {
@@ -292,7 +292,7 @@ TEST_CASE("A vessel too small for its sizes is refused with the smallest that wo
 TEST_CASE("A porosity of the laboratory stands for one in the plane, and for none in space", "[apps]")
 {
   const ScratchFolder folder;
-  const std::string   scene = folder.file("mortar.prm", mortar);
+  const std::string   scene = folder.file("mortar.prm", mortar_scene);
   const auto          says  = [&](const std::string &entry) {
     return outcome_of(folder, "check", scene, {"Specimen/Genesis/" + entry}).out;
   };
@@ -312,7 +312,7 @@ TEST_CASE("A scene whose particles have grown before takes them from the user's 
 {
   const ScratchFolder folder;
   const Environment   caches("XDG_CACHE_HOME", (folder / "caches").string());
-  folder.file("mortar.prm", replaced(mortar, "0.02, 0.03", "0.0141, 0.0141"));
+  folder.file("mortar.prm", replaced(mortar_scene, "0.02, 0.03", "0.0141, 0.0141"));
   const auto made_by = [&](std::vector<std::string> words) {
     words.insert(words.begin(), {"run", "mortar.prm", "-o", "results", "--restart"});
     REQUIRE(run(folder.path(), words).status == 0);

@@ -13,8 +13,6 @@ using Catch::Contains;
 
 namespace
 {
-  constexpr double pi = 3.14159265358979323846;
-
   /** Three spheres of 1 mm upon each other; the grips hold the first and the last. */
   const std::string row_of_three = "0 0 0 1e-3\n0 0 2e-3 1e-3\n0 0 4e-3 1e-3\n";
 
@@ -38,7 +36,7 @@ TEST_CASE("A scene with gravity starts from equilibrium, and says what it found"
   folder.file("packing.txt", row_of_three);
   folder.file("x.prm", replaced(scene_with_file(), "Interaction ratio = 1.5", "Interaction ratio = 1.2"));
   // The sphere in the middle hangs on one link and stands on the other: weight over twice the stiffness.
-  const double radius = 1e-3, sag = 4800 * 4.0 / 3 * pi * std::pow(radius, 3) * 1e5 / (2 * 25e9 * pi * radius / 2);
+  const double radius = 1e-3, sag = 4800 * 4.0 / 3 * M_PI * std::pow(radius, 3) * 1e5 / (2 * 25e9 * M_PI * radius / 2);
 
   const Outcome checked = run(folder.path(), heavy({"check", "x.prm"}));
   CHECK(checked.status == 0);

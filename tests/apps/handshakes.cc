@@ -16,8 +16,6 @@ using Catch::Contains;
 
 namespace
 {
-  std::string shipped(const char *name) { return places::sources() + "/apps/scenes/" + name; }
-
   /** The beam with a core, its particles tied to small elements, and several of their steps in one of the solid. */
   const std::vector<std::string> tied = {"Handshakes/core/Method=multipliers",
                                          "Continuum/Mesh/Boxes/beam/Divisions x=50",
@@ -38,7 +36,7 @@ TEST_CASE("A beam with a core of particles: the published example's particles, e
           "[apps][coupled][volume][slow]")
 {
   const ScratchFolder folder;
-  const std::string   scene   = shipped("beam_with_core.prm");
+  const std::string   scene   = places::scene("beam_with_core.prm");
   const Outcome       checked = outcome_of(folder, "check", scene, {});
   CHECK_THAT(checked.out, Contains("elements     60") && Contains("concrete 364") && Contains("handshake    core: "));
   // Nothing breaks: nothing may be lost.
@@ -60,7 +58,7 @@ TEST_CASE("A beam with a core of particles takes a blow as one all of particles 
 {
   const auto blow = [](const char *scene) {
     const ScratchFolder folder;
-    return results_of(folder, shipped(scene), {"Time/End time=1e-3"}).series;
+    return results_of(folder, places::scene(scene), {"Time/End time=1e-3"}).series;
   };
   const auto core = blow("beam_with_core.prm"), all = blow("beam_of_particles.prm");
   const auto peak = [](const auto &series) {
@@ -74,8 +72,8 @@ TEST_CASE("A beam with a core of particles takes a blow as one all of particles 
 TEST_CASE("bench volume goes on with the notched beam on request", "[apps][volume]")
 {
   const ScratchFolder folder; // where there are none
-  const Outcome done = run(folder.path(), {"bench", "volume", shipped("wave_transmission.prm"), "--quick", "--beam",
-                                           "-o", "bench", "-s", "Waves/Wavelengths=0.16"});
+  const Outcome       done = run(folder.path(), {"bench", "volume", places::scene("wave_transmission.prm"), "--quick",
+                                                 "--beam", "-o", "bench", "-s", "Waves/Wavelengths=0.16"});
   CHECK(done.status == 2);
   CHECK_THAT(done.err, Contains("bending_of_particles.prm"));
   CHECK(std::filesystem::exists(folder / "bench/volume.csv"));
@@ -86,7 +84,7 @@ TEST_CASE("Constrained particles need an overlap no wider than bonds reach, howe
 {
   const ScratchFolder folder;
   const Results       found =
-    results_of(folder, shipped("beam_with_core.prm"),
+    results_of(folder, places::scene("beam_with_core.prm"),
                {"Handshakes/core/Overlap=0.0136", "Particles/Materials/concrete/CPM/Limit elastic strain=1 -",
                 "Time/Damping=0", "Time/End time=4e-4"}); // half an element is 20 mm
   const double energy = found.series.column("energy_particles_initial").back();
@@ -98,7 +96,7 @@ TEST_CASE("Constrained particles need an overlap no wider than bonds reach, howe
 TEST_CASE("What cannot shake hands is refused by name", "[apps][coupled][volume][slow]")
 {
   const ScratchFolder folder;
-  const std::string   scene   = shipped("beam_with_core.prm");
+  const std::string   scene   = places::scene("beam_with_core.prm");
   const auto          refused = [&](const std::vector<std::string> &changes, const char *words) {
     is_refused(folder, scene, changes, words);
   };
@@ -128,7 +126,7 @@ TEST_CASE(
     folder.file("beam.txt", kept);
     return "Particles/Specimen/File=" + (folder / "beam.txt").string();
   };
-  const std::string scene = shipped("beam_with_core.prm");
+  const std::string scene = places::scene("beam_with_core.prm");
   is_refused(folder, scene, {without(0.005, 0.035), "Particles/Specimen/Loose pieces=keep"}, "across a gap of 0.036");
   is_refused(folder, scene, {without(0.4, 1), "Handshakes/core/Low=0.1, -1, -1", "Handshakes/core/High=1, 1, 1"},
              "between (0.42, 0, 0) and (0.5, 0.12, 0) m the region has taken the place of elements");
@@ -138,7 +136,7 @@ TEST_CASE("Two regions of particles in one beam work by every method, and overla
           "[apps][coupled][volume][slow]")
 {
   const ScratchFolder folder;
-  std::string         scene = content_of(shipped("beam_with_core.prm"));
+  std::string         scene = content_of(places::scene("beam_with_core.prm"));
   const auto          put   = [&scene](const std::string &what, const std::string &by) {
     const auto at = scene.find(what);
     REQUIRE(at != std::string::npos);
@@ -252,7 +250,8 @@ TEST_CASE("An interrupted or killed run of particles inside a solid goes on to t
           "[apps][coupled][volume][slow][S13]")
 {
   const ScratchFolder      folder;
-  std::vector<std::string> words = {"run", shipped("beam_with_core.prm"), "-s", "Output/Checkpoint interval=0.01"};
+  std::vector<std::string> words = {"run", places::scene("beam_with_core.prm"), "-s",
+                                    "Output/Checkpoint interval=0.01"};
   for (const std::string &change : tied)
     words.insert(words.end(), {"-s", change});
   goes_on_to_the_same_bits(folder, {words, {"solid/solid_000002.vtu", "checkpoint.h5"}, reproducible},
@@ -266,8 +265,8 @@ TEST_CASE("Particles inside a solid move to the same bits with any number of thr
   std::string         first;
   for (const char *threads : {"1", "2"})
     {
-      std::vector<std::string> words = {"run", shipped("beam_with_core.prm"), "-o", "results", "--threads", threads,
-                                        "-s",  "Time/End time=5e-4"};
+      std::vector<std::string> words = {
+        "run", places::scene("beam_with_core.prm"), "-o", "results", "--threads", threads, "-s", "Time/End time=5e-4"};
       for (const std::string &change : tied)
         words.insert(words.end(), {"-s", change});
       REQUIRE(run(folder.path(), words).status == 0);
@@ -281,7 +280,7 @@ TEST_CASE("A scene of waves writes where their energy goes, and refuses waves th
           "[apps][volume]")
 {
   const ScratchFolder folder;
-  const std::string   scene = shipped("wave_transmission.prm");
+  const std::string   scene = places::scene("wave_transmission.prm");
   is_refused(folder, scene, {"Waves/Wavelengths=0.03"}, "4 to 10000 spacings");
   is_refused(folder, scene, {"Waves/Methods=magic"}, "absorber p=2");
   is_refused(folder, scene, {"Waves/Shear=true"}, "Medium = strip");
@@ -296,7 +295,7 @@ TEST_CASE("bench volume has every method, at each wavelength, with what a step c
 {
   const ScratchFolder folder;
   const Outcome       done =
-    run(folder.path(), {"bench", "volume", shipped("wave_transmission.prm"), "--quick", "-o", "bench"});
+    run(folder.path(), {"bench", "volume", places::scene("wave_transmission.prm"), "--quick", "-o", "bench"});
   REQUIRE(done.status == 0);
   const std::string csv = content_of(folder / "bench/volume.csv");
   for (const char *method : {"absorber", "absorber p=2", "coarse", "strict", "lumped", "constrained", "legacy"})
@@ -309,8 +308,8 @@ TEST_CASE(
   "[apps][coupled][volume]")
 {
   const ScratchFolder folder;
-  const Outcome       large =
-    outcome_of(folder, "check", shipped("plate_impact.prm"), {"Particles/Specimen/Generator/Particle radius=0.005"});
+  const Outcome       large = outcome_of(folder, "check", places::scene("plate_impact.prm"),
+                                         {"Particles/Specimen/Generator/Particle radius=0.005"});
   CHECK(large.status == 0);
   CHECK_THAT(large.out + large.err, Contains("impedances reflect"));
 }

@@ -1,6 +1,6 @@
 // Requirements of a laboratory on a uniaxial test: section and gauge length, figures from every step, one piece, cracks reported.
 #include "apps/runs/quasi_static/lab_test.h"
-#include "tests/apps/program.h"
+#include "tests/apps/scene_runs.h"
 #include "tests/apps/scenes.h"
 #include "tests/apps/scratch_folder.h"
 
@@ -16,11 +16,6 @@ using Catch::Contains;
 
 namespace
 {
-  nlohmann::json summary_in(const std::filesystem::path &folder)
-  {
-    return nlohmann::json::parse(content_of(folder / "summary.json"));
-  }
-
   double value(const nlohmann::json &summary, const char *figure) { return summary["figures"][figure]["value"]; }
 
   /** The summary of a run of the stack with these settings, pulled only. */

@@ -12,8 +12,6 @@ using Catch::Contains;
 
 namespace
 {
-  constexpr double pi = 3.14159265358979323846;
-
   double number_after(const std::string &words, const std::string &text)
   {
     std::smatch found;
@@ -30,7 +28,7 @@ TEST_CASE("pack writes a periodic packing whose packing fraction is the one it p
   const dem::Packing packing = postprocess::read_packing(folder / "p.h5");
   REQUIRE(packing.size() == 64);
   REQUIRE(packing.periodic_cell.has_value());
-  const double fraction = 64 * 4.0 / 3.0 * pi * 8e-9 / packing.periodic_cell->prod();
+  const double fraction = 64 * 4.0 / 3.0 * M_PI * 8e-9 / packing.periodic_cell->prod();
   CHECK(number_after("packing fraction", outcome.out) == Approx(fraction).margin(5e-5)); // four decimals are printed
   CHECK_THAT(outcome.out, Contains("contacts per sphere") && Contains("mean overlap"));
 }

@@ -20,8 +20,6 @@ using Catch::Contains;
 
 namespace
 {
-  std::string shipped(const char *name) { return places::sources() + "/apps/scenes/" + name; }
-
   std::string cpm(const std::string &modulus)
   {
     return R"(
@@ -141,7 +139,7 @@ TEST_CASE("A hexagonal plane is the medium that the published example says, and 
           "[apps][volume]")
 {
   apps::start_mpi();
-  const apps::CheckedScene  read         = apps::read_scene(shipped("beam_with_core.prm"), {});
+  const apps::CheckedScene  read         = apps::read_scene(places::scene("beam_with_core.prm"), {});
   const apps::CoupledModel &model        = dynamic_cast<const apps::SceneOf<apps::CoupledModel> &>(*read.scene).model();
   const std::optional<dem::Packing> cell = dem::make_lattice(dem::Lattice::hexagonal, 5e-3, {6, 6, 1});
   const apps::ParticleMedia         media = model.media(cell);

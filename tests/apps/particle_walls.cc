@@ -12,8 +12,6 @@ using Catch::Contains;
 
 namespace
 {
-  constexpr double pi = 3.14159265358979323846;
-
   /** A ball of 10 mm, 1 mm above a wall, falls. */
   const std::string above_wall = loose_balls("1e6") + R"(subsection More particles
   subsection ball
@@ -102,7 +100,7 @@ $Elements
 1 3 2 1 1 1 2 3 4
 $EndElements
 )");
-  const double        mass = 2500 * 4.0 / 3 * pi * 1e-6;
+  const double        mass = 2500 * 4.0 / 3 * M_PI * 1e-6;
   const std::string   wall = "Walls/floor/";
   std::vector<double> heights;
   for (const std::vector<std::string> &changes :
@@ -163,7 +161,7 @@ TEST_CASE("A wall moves as its formula says, and a force by formula pushes", "[a
   const ScratchFolder folder;
   folder.file("x.prm", above_wall);
   const Results pushed = results_of(folder, "x.prm", {"Gravity/Acceleration=0, 0, 0", "Forces/all/Force z=1e-3*t"});
-  const double  mass = 2500 * 4.0 / 3 * pi * 1e-6, time = pushed.series.column("time").back();
+  const double  mass = 2500 * 4.0 / 3 * M_PI * 1e-6, time = pushed.series.column("time").back();
   CHECK(pushed.figure("height", "end") == Approx(0.011 + 1e-3 * time * time * time / (6 * mass)).epsilon(1e-4));
   CHECK(pushed.balance_error() < 1e-3);
   std::filesystem::remove_all(folder / "results");

@@ -18,10 +18,6 @@ using Catch::Contains;
 
 namespace
 {
-  constexpr double pi = 3.14159265358979323846;
-
-  std::string shipped(const char *name) { return places::sources() + "/apps/scenes/" + name; }
-
   /** Two balls of 10 mm, one of them on its way to the other; contacts of 1e7 Pa without friction, no weight. */
   const std::string collision = loose_balls("1e7") + R"(subsection More particles
   subsection first
@@ -70,9 +66,9 @@ end
 TEST_CASE("A ball falls, bounces and returns as closed forms say, without any bond", "[apps][particles]")
 {
   const ScratchFolder folder;
-  const Results       found = results_of(folder, shipped("bouncing_sphere.prm"), {"Output/Snapshots=0"});
-  const double        g = 9.81, drop = 0.005, mass = 2500 * 4.0 / 3 * pi * 1e-6,
-               stiffness = 1e7 * pi * 1e-4 / 0.02, // E* A / (sum of radii)
+  const Results       found = results_of(folder, places::scene("bouncing_sphere.prm"), {"Output/Snapshots=0"});
+  const double        g = 9.81, drop = 0.005, mass = 2500 * 4.0 / 3 * M_PI * 1e-6,
+               stiffness = 1e7 * M_PI * 1e-4 / 0.02, // E* A / (sum of radii)
     speed = std::sqrt(2 * g * drop), fall = speed / g;
   const auto &time = found.series.column("time"), &height = found.series.column("height"),
              &velocity = found.series.column("velocity");
@@ -91,7 +87,7 @@ TEST_CASE("A ball falls, bounces and returns as closed forms say, without any bo
   const double largest = weight + std::sqrt(weight * weight + stiffness * mass * speed * speed);
   CHECK(found.figure("blow", "largest") - weight /* of the anvil */ == Approx(largest).epsilon(0.02));
   // Nothing is lost: it comes back to where it was, after a contact of about half a period.
-  const double contact = pi * std::sqrt(mass / stiffness), back = 2 * fall + contact;
+  const double contact = M_PI * std::sqrt(mass / stiffness), back = 2 * fall + contact;
   const auto   at = static_cast<std::size_t>(std::round(back / 0.2 * 2000));
   CHECK(height[at] == Approx(0.025).margin(0.005 * drop));
   CHECK(found.figure("height", "largest") == Approx(0.025).margin(0.005 * drop));
@@ -143,7 +139,7 @@ TEST_CASE("A run whose balls are pressed deep into each other ends with both nam
 TEST_CASE("A run whose balls turn far in a step says so", "[apps][particles]")
 {
   const ScratchFolder folder;
-  const std::string   scene = shipped("bouncing_sphere.prm");
+  const std::string   scene = places::scene("bouncing_sphere.prm");
   const auto          spun  = [&](const char *spin) {
     return results_of(
                 folder, scene, {"Output/Snapshots=0", "Time/End time=0.01", std::string("Initial velocity/ball/Spin z=") + spin});
@@ -176,7 +172,7 @@ namespace
   /** Tip force over tip deflection of the chain of the shipped beam: hinges and shear springs at its bonds. */
   double chain_stiffness(const double modulus, const double ratio)
   {
-    const double radius = 0.005, area = pi * radius * radius, second = area * radius * radius / 4;
+    const double radius = 0.005, area = M_PI * radius * radius, second = area * radius * radius / 4;
     const double bending = modulus * second / (2 * radius), shear = modulus / ratio * area / (2 * radius);
     double       yields = 0;
     for (int bond = 1; bond <= 20; ++bond)
@@ -188,7 +184,7 @@ namespace
 TEST_CASE("The bonded beam resists a moved end as its chain of bonds does in closed form", "[apps][particles]")
 {
   const ScratchFolder folder;
-  const Results       found = results_of(folder, shipped("bonded_beam.prm"));
+  const Results       found = results_of(folder, places::scene("bonded_beam.prm"));
   CHECK(found.summary["ended_by"] == "equilibrium");
   CHECK(found.figure("deflection", "end") == Approx(1e-3).epsilon(1e-6));
   CHECK(found.figure("force", "end") == Approx(1e-3 * chain_stiffness(1e10, 2.5)).epsilon(1e-3));
@@ -320,7 +316,7 @@ TEST_CASE("A run of particles that is interrupted or killed goes on to the same 
 {
   const ScratchFolder folder;
   goes_on_to_the_same_bits(folder,
-                           {{"run", shipped("bonded_beam.prm"), "-s", "Time/Step factor=0.1", "-s",
+                           {{"run", places::scene("bonded_beam.prm"), "-s", "Time/Step factor=0.1", "-s",
                              "Time/Damping in time=0.1 + 0.4 * sin(1e4 * t)^2", "-s", "Output/Checkpoint interval=0.01",
                              "-s", "Output/Samples=200"},
                             {"particles_links/particles_links_000002.vtp", "checkpoint.h5"},
@@ -368,7 +364,7 @@ TEST_CASE("The force on a group is all that changes its momentum, and of its own
                {"Probes/push/Quantity=force", "Probes/push/Group=second", "Probes/push/Component=x",
                 "Probes/nothing/Quantity=force", "Probes/nothing/Group=all", "Output/Samples=2000"});
   const auto  &time = found.series.column("time"), &push = found.series.column("push");
-  const double mass    = 2500 * 4.0 / 3 * pi * 1e-6;
+  const double mass    = 2500 * 4.0 / 3 * M_PI * 1e-6;
   double       impulse = 0;
   for (std::size_t row = 1; row < time.size(); ++row)
     impulse += push[row] * (time[row] - time[row - 1]);

@@ -1,6 +1,5 @@
 // Scenes of kind "peridynamic_core": elements with a core of bonds.
-#include "apps/results/run_result.h"
-#include "apps/scene/kinds/read_scene.h"
+#include "tests/apps/runs_in_process.h"
 #include "tests/apps/scene_runs.h"
 #include "tests/places.h"
 
@@ -19,13 +18,6 @@ namespace
 {
   std::string scene_file() { return places::sources() + "/apps/scenes/peridynamic_core.prm"; }
 
-  apps::RunResult run_of(const apps::CheckedScene &scene, const std::filesystem::path &folder)
-  {
-    apps::RunRequest request = apps::request_of(scene);
-    request.output_folder    = folder;
-    return scene.scene->run(request);
-  }
-
   /** The scene with a coarser core, which is quick. */
   std::vector<std::string> coarse(std::vector<std::string> more = {})
   {
@@ -42,7 +34,7 @@ namespace
     REQUIRE(notch < after);
     std::ofstream(folder / "whole.prm") << text.erase(notch, after - notch);
     more.insert(more.end(), {"Core/Material/Fracture energy=0", "Time/End time=8e-3"});
-    return run_of(apps::read_scene(folder / "whole.prm", coarse(more)), folder / "results");
+    return run_in_process(apps::read_scene(folder / "whole.prm", coarse(more)), folder / "results");
   }
 } // namespace
 
@@ -53,7 +45,8 @@ TEST_CASE("A notched beam with a peridynamic core breaks near the load of linear
                                 (2 * (1 + 2 * a) * std::pow(1 - a, 1.5));
   const double          load = std::sqrt(30e9 * 100.0) * 0.1 * std::pow(0.1, 1.5) / (0.4 * f);
   const ScratchFolder   folder;
-  const apps::RunResult result = run_of(apps::read_scene(scene_file(), {"Output/Snapshots=0"}), folder / "results");
+  const apps::RunResult result =
+    run_in_process(apps::read_scene(scene_file(), {"Output/Snapshots=0"}), folder / "results");
   CHECK(-result.figure("core_held_y/least").value.value() ==
         Approx(load).epsilon(0.15)); // its horizon is a ninth of the ligament
   CHECK(result.figure("broken_bonds/end").value.value() > 0);
@@ -70,7 +63,7 @@ TEST_CASE("A beam with a peridynamic core that stops half way goes on to the sam
   const ScratchFolder      folder;
   const apps::CheckedScene scene = apps::read_scene(
     scene_file(), coarse({"Time/End time=2e-3", "Core/Displacements/load/y=-30 * t^2", "Output/Samples=20"}));
-  const apps::RunResult whole = run_of(scene, folder / "whole");
+  const apps::RunResult whole = run_in_process(scene, folder / "whole");
   CHECK(whole.figure("broken_bonds/end").value.value() > whole.series.column("broken_bonds").front());
   apps::RunRequest request = apps::request_of(scene);
   request.output_folder    = folder / "parts";
@@ -115,9 +108,9 @@ TEST_CASE("A beam with a peridynamic core is as stiff as one of elements alone, 
           "    set To = 0.006, 0.05, 0\n    set Displacement x = 0\n    set Displacement y = -1e-6 * t\n  end\nend\n";
   std::ofstream(folder / "elements.prm") << text;
   const apps::RunResult elements =
-    run_of(apps::read_scene(folder / "elements.prm",
-                            {"Output/Snapshots=0", "Mesh/Boxes/beam/Divisions x=96", "Mesh/Boxes/beam/Divisions y=20"}),
-           folder / "elements");
+    run_in_process(apps::read_scene(folder / "elements.prm", {"Output/Snapshots=0", "Mesh/Boxes/beam/Divisions x=96",
+                                                              "Mesh/Boxes/beam/Divisions y=20"}),
+                   folder / "elements");
   const double wanted = std::abs(elements.series.column("reaction_load_y").back()) / 1e-6;
   const auto   error  = [&](const std::vector<std::string> &more) {
     std::filesystem::remove_all(folder / "results");
@@ -233,7 +226,7 @@ TEST_CASE("An even strain of elements with a peridynamic core inside stays even"
   // Waves have crossed the plate more than twice. Over the displacement of its sides:
   const auto error = [&](const std::vector<std::string> &changes, const double within) {
     std::filesystem::remove_all(folder / "results");
-    const apps::RunResult result = run_of(apps::read_scene(folder / "even.prm", changes), folder / "results");
+    const apps::RunResult result = run_in_process(apps::read_scene(folder / "even.prm", changes), folder / "results");
     CHECK(result.figure("energy_balance_error").value.value() < 1e-10);
     const postprocess::CsvTable nodes = postprocess::read_csv_table(folder / "results/nodes.csv");
     double                      worst = 0;
@@ -348,10 +341,10 @@ TEST_CASE("A peridynamic core sends back less than a twentieth of a wave that co
                                      << bar_core << "subsection Time\n  set End time = 0.27e-3\nend\n"
                                      << often;
   std::ofstream(folder / "elements.prm") << "set Kind = continuum\n" << bar << often;
-  const apps::RunResult with    = run_of(apps::read_scene(folder / "core.prm", {}), folder / "with"),
-                        without = run_of(apps::read_scene(folder / "elements.prm",
-                                                          {"Model/Analysis=explicit", "Motion/End time=0.27e-3"}),
-                                         folder / "without");
+  const apps::RunResult with    = run_in_process(apps::read_scene(folder / "core.prm", {}), folder / "with"),
+                        without = run_in_process(apps::read_scene(folder / "elements.prm", {"Model/Analysis=explicit",
+                                                                                            "Motion/End time=0.27e-3"}),
+                                                 folder / "without");
   const double speed            = std::sqrt(25e9 / 2400);
   double       arriving = 0, back = 0, on = 0, on_alone = 0;
   for (double t = 1e-5; t < 0.26e-3; t += 1e-6)

@@ -1,6 +1,5 @@
 // Scenes of kind "peridynamics": what they find, refuse and remember.
-#include "apps/results/run_result.h"
-#include "apps/scene/kinds/read_scene.h"
+#include "tests/apps/runs_in_process.h"
 #include "tests/apps/scene_runs.h"
 #include "tests/places.h"
 
@@ -18,23 +17,16 @@ using Catch::Contains;
 
 namespace
 {
-  std::string shipped(const std::string &name)
+  std::string scene_of(const std::string &name)
   {
     return places::sources() + "/apps/scenes/peridynamic_" + name + ".prm";
-  }
-
-  apps::RunResult run_of(const apps::CheckedScene &scene, const std::filesystem::path &folder)
-  {
-    apps::RunRequest request = apps::request_of(scene);
-    request.output_folder    = folder;
-    return scene.scene->run(request);
   }
 
   apps::RunResult run_of(const ScratchFolder &folder, const std::string &name, const std::vector<std::string> &changes)
   {
     std::vector<std::string> all = changes;
     all.emplace_back("Output/Snapshots=0");
-    return run_of(apps::read_scene(shipped(name), all), folder / "results");
+    return run_in_process(apps::read_scene(scene_of(name), all), folder / "results");
   }
 
   /** It is stopped half way, goes on, and is compared with one that was not: rows, nodes and figures. */
@@ -43,8 +35,8 @@ namespace
     const ScratchFolder      folder;
     std::vector<std::string> all = changes;
     all.emplace_back("Output/Snapshots=0");
-    const apps::CheckedScene scene   = apps::read_scene(shipped(name), all);
-    const apps::RunResult    whole   = run_of(scene, folder / "whole");
+    const apps::CheckedScene scene   = apps::read_scene(scene_of(name), all);
+    const apps::RunResult    whole   = run_in_process(scene, folder / "whole");
     apps::RunRequest         request = apps::request_of(scene);
     request.output_folder            = folder / "parts";
     int requested                    = 0;
@@ -134,7 +126,7 @@ TEST_CASE("Scenes and results have the names that comparisons with other codes r
   std::ofstream(folder / "names.prm") << all_names;
   const auto run_with = [&](const std::vector<std::string> &changes) {
     std::filesystem::remove_all(folder / "results");
-    return run_of(apps::read_scene(folder / "names.prm", changes), folder / "results");
+    return run_in_process(apps::read_scene(folder / "names.prm", changes), folder / "results");
   };
   const auto check = [&](const std::vector<std::string> &changes) {
     CAPTURE(changes);
@@ -345,7 +337,7 @@ TEST_CASE("A crack in glass branches, once and on both sides alike", "[apps][slo
 TEST_CASE("An interface breaks at its own critical stretch in a scene of two materials", "[apps]")
 {
   const ScratchFolder folder;
-  std::string         text   = content_of(shipped("bar"));
+  std::string         text   = content_of(scene_of("bar"));
   const std::string   single = "  set Young modulus = 200e9\n";
   REQUIRE(text.find(single) != std::string::npos);
   std::ofstream(folder / "two.prm") << text.erase(text.find(single), single.size());
@@ -361,8 +353,8 @@ TEST_CASE("An interface breaks at its own critical stretch in a scene of two mat
   std::vector<std::string>       weak = two;
   for (const char *entry : {"Material=one", "Other material=other", "Critical stretch=2e-3"})
     weak.push_back(std::string("Interfaces/joint/") + entry);
-  const apps::RunResult joined = run_of(apps::read_scene(folder / "two.prm", two), folder / "joined");
-  const apps::RunResult held   = run_of(apps::read_scene(folder / "two.prm", weak), folder / "held");
+  const apps::RunResult joined = run_in_process(apps::read_scene(folder / "two.prm", two), folder / "joined");
+  const apps::RunResult held   = run_in_process(apps::read_scene(folder / "two.prm", weak), folder / "held");
   CHECK(joined.figure("first_break").value.value() == Approx(5e-3 * 200e9).epsilon(1e-6));
   CHECK(held.figure("first_break").value.value() == Approx(2e-3 * 200e9).epsilon(1e-6));
   CHECK(held.summary["figures"]["lattice_of"]["other"]["neighbours"] == 6);
@@ -383,9 +375,9 @@ TEST_CASE("What check says of a peridynamic motion is what its run takes", "[app
 {
   const ScratchFolder      folder;
   const apps::CheckedScene scene =
-    apps::read_scene(shipped("branching"), {"Grid/Spacing=0.001", "Analysis/End time=2e-5", "Output/Snapshots=0"});
+    apps::read_scene(scene_of("branching"), {"Grid/Spacing=0.001", "Analysis/End time=2e-5", "Output/Snapshots=0"});
   const std::string     said  = scene.scene->forecast();
-  const apps::RunResult found = run_of(scene, folder / "results");
+  const apps::RunResult found = run_in_process(scene, folder / "results");
   CHECK_THAT(said, Contains("steps        ") && Contains("nodes        4000"));
   const double steps = std::stod(said.substr(said.find("steps        ") + 13));
   CHECK(found.summary["figures"]["steps"].get<double>() == Approx(steps).margin(1.01));

@@ -5,7 +5,7 @@
 #include "apps/studies/replicate_statistics.h"
 #include "postprocess/files/csv_table.h"
 #include "tests/apps/concrete_stack.h"
-#include "tests/apps/program.h"
+#include "tests/apps/scene_runs.h"
 #include "tests/apps/scratch_folder.h"
 
 #include <catch2/catch.hpp>
@@ -56,11 +56,6 @@ namespace
   {
     folder.file("packing.txt", stack_packing());
     folder.file("x.prm", replaced(concrete_stack(), "set Snapshots = 5", "set Snapshots = 0"));
-  }
-
-  nlohmann::json summary_in(const std::filesystem::path &folder)
-  {
-    return nlohmann::json::parse(content_of(folder / "summary.json"));
   }
 } // namespace
 

@@ -13,7 +13,7 @@ namespace
 {
   const std::vector<std::string> few = {"-s", "Output/Samples=20", "-s", "Output/Snapshots=0"};
 
-  Outcome run_with(const ScratchFolder &folder, std::vector<std::string> words)
+  Outcome run_quickly(const ScratchFolder &folder, std::vector<std::string> words)
   {
     words.insert(words.end(), few.begin(), few.end());
     return run(folder.path(), words);
@@ -24,7 +24,7 @@ namespace
   {
     folder.file("packing.txt", stack_packing());
     folder.file("x.prm", scene_with_file());
-    REQUIRE(run_with(folder, {"run", "x.prm", "-o", "first", "-s", "Output/Report=true"}).status == 0);
+    REQUIRE(run_quickly(folder, {"run", "x.prm", "-o", "first", "-s", "Output/Report=true"}).status == 0);
   }
 } // namespace
 

@@ -1,5 +1,5 @@
 #include "postprocess/files/csv_table.h"
-#include "tests/apps/program.h"
+#include "tests/apps/scene_runs.h"
 #include "tests/apps/scenes.h"
 #include "tests/apps/scratch_folder.h"
 
@@ -13,12 +13,6 @@ using Catch::Contains;
 
 namespace
 {
-  constexpr double pi = 3.14159265358979323846;
-
-  nlohmann::json summary_in(const std::filesystem::path &folder)
-  {
-    return nlohmann::json::parse(content_of(folder / "summary.json"));
-  }
 } // namespace
 
 TEST_CASE("A run writes summary, series, curve, snapshots and the completed scene, and nothing else", "[apps]")
@@ -108,7 +102,7 @@ TEST_CASE("Two particles give the curve of their one link, in closed form", "[ap
       // Rounding of the link's length leaves 1e-13 of strain, 1e-9 of the onset.
       CHECK(stress[i] == Approx(deleted ? 0 : sections * envelope(strain[i])).epsilon(1e-7));
     }
-  const double volume     = pi * 1e-6 * 2e-3;
+  const double volume     = M_PI * 1e-6 * 2e-3;
   const double dissipated = E * onset * (onset / 2 + softening * (1 - left_at_deletion)) * volume;
   // The link is deleted at the first step past the strain of deletion; one step here is 1e-6 of strain.
   CHECK(series.column("energy_damage").back() + series.column("energy_released").back() ==
@@ -128,7 +122,7 @@ TEST_CASE("A chain of three radii stores the energy of its links in series", "[a
             .status == 0);
   // Two springs E A/L in series, A = pi min(r)^2 (doc/theory/links.md, 2): lengths 3.5 and 2.5 mm, radii 1.5 and
   // 1 mm.
-  const double                compliance = (3.5e-3 / (pi * 2.25e-6) + 2.5e-3 / (pi * 1e-6)) / 25e9;
+  const double                compliance = (3.5e-3 / (M_PI * 2.25e-6) + 2.5e-3 / (M_PI * 1e-6)) / 25e9;
   const postprocess::CsvTable series     = postprocess::read_csv_table(folder / "results/series.csv", false, {"test"});
   const double                stretch    = series.column("strain").back() * 6e-3;
   CHECK(series.column("links").back() == 2);

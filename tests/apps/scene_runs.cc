@@ -11,6 +11,11 @@ namespace apps_tests
 
   double Results::balance_error() const { return summary["energy"]["balance_error"].get<double>(); }
 
+  nlohmann::json summary_in(const std::filesystem::path &folder)
+  {
+    return nlohmann::json::parse(content_of(folder / "summary.json"));
+  }
+
   Outcome outcome_of(const ScratchFolder            &folder,
                      const std::string              &command,
                      const std::string              &scene,
@@ -48,7 +53,7 @@ namespace apps_tests
     const Outcome outcome = outcome_of(folder, "run", scene, changes);
     INFO(outcome.err);
     REQUIRE(outcome.status == 0);
-    return {nlohmann::json::parse(content_of(folder / "results/summary.json")),
+    return {summary_in(folder / "results"),
             postprocess::read_csv_table(folder / "results/series.csv", true, word_columns)};
   }
 } // namespace apps_tests

@@ -21,6 +21,9 @@ namespace apps_tests
     double balance_error() const;
   };
 
+  /** What a run wrote into this folder. */
+  nlohmann::json summary_in(const std::filesystem::path &folder);
+
   /** `breccia <command> <scene>` with these entries changed; a run leaves the folder "results". */
   Outcome outcome_of(const ScratchFolder            &folder,
                      const std::string              &command,

@@ -34,7 +34,7 @@ namespace
   }
 
   const std::string cut_out = "Specimen/Generator/Faces=cut", moulded = "Specimen/Generator/Faces=moulded",
-                    note = "faces of the specimen are cut and sparse";
+                    cut_faces = "faces of the specimen are cut and sparse";
 
   double number_after(const std::string &words, const std::string &text)
   {
@@ -54,12 +54,12 @@ TEST_CASE("A small box cut out of a cell is warned of before the run, a moulded 
 {
   const ScratchFolder folder;
   const Outcome       cut = outcome_of(folder, "check", scene, with(cube, cut_out));
-  CHECK_THAT(cut.err, Contains(note) && Contains("Specimen/Generator/Faces = moulded"));
+  CHECK_THAT(cut.err, Contains(cut_faces) && Contains("Specimen/Generator/Faces = moulded"));
   CHECK(number_after("packed       ", cut.out) == Approx(0.553).margin(0.01)); // inside; the scatter of seeds is 0.003
   CHECK(number_after(" inside, ", cut.out) < 0.42);
 
   const Outcome flat = outcome_of(folder, "check", scene, with(cube, moulded));
-  CHECK_THAT(flat.err, !Contains(note));
+  CHECK_THAT(flat.err, !Contains(cut_faces));
   CHECK(number_after(" inside, ", flat.out) > 0.50);
 
   // Large specimens have the same faces, and they hardly count; periodic cells have none.
@@ -94,14 +94,14 @@ end
                 bonded = outcome_of(folder, "check", "bonded.prm", {"Specimen/Loose pieces=drop"});
   INFO(loose.err << bonded.err);
   CHECK(loose.status == 0);
-  CHECK_THAT(loose.err, !Contains(note));
+  CHECK_THAT(loose.err, !Contains(cut_faces));
   CHECK(bonded.status == 0);
-  CHECK_THAT(bonded.err, Contains(note));
+  CHECK_THAT(bonded.err, Contains(cut_faces));
   // A packing that was cut before has no cell any more, and the same faces.
   REQUIRE(run(folder.path(), {"pack", "--radius", "0.002", "--box", "0.04,0.04,0.04", "-o", "cut.txt"}).status == 0);
   folder.file("from_file.prm", replaced(content_of(folder / "bonded.prm"), "set Source   = generator",
                                         "set Source   = file\n  set File     = cut.txt"));
-  CHECK_THAT(outcome_of(folder, "check", "from_file.prm", {"Specimen/Loose pieces=drop"}).err, Contains(note));
+  CHECK_THAT(outcome_of(folder, "check", "from_file.prm", {"Specimen/Loose pieces=drop"}).err, Contains(cut_faces));
 }
 
 TEST_CASE("A moulded specimen of ten diameters is stiffer by a quarter than one whose sparse faces are cut",

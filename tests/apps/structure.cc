@@ -15,12 +15,10 @@ using Catch::Contains;
 
 namespace
 {
-  std::string shipped_beam(const char *name) { return places::sources() + "/apps/scenes/" + name; }
-
   Results bent(const char *scene, const std::vector<std::string> &changes = {})
   {
     const ScratchFolder folder;
-    return results_of(folder, shipped_beam(scene), changes, {"control"});
+    return results_of(folder, places::scene(scene), changes, {"control"});
   }
 } // namespace
 
@@ -77,7 +75,7 @@ TEST_CASE("A structure that cannot be driven is refused by name", "[apps][struct
 {
   // Particles and stiffness of a run that went well, so that they are not made anew for every mistake.
   const ScratchFolder made, folder;
-  const std::string   scene = shipped_beam("bending_with_core.prm");
+  const std::string   scene = places::scene("bending_with_core.prm");
   results_of(made, scene, {"Path/End=1e-6"}, {"control"});
   const std::vector<std::string> from_files = {
     "Specimen/Source=file", "Specimen/File=" + (made / "results/packing.h5").string(),
@@ -124,8 +122,8 @@ TEST_CASE("An interrupted or killed path of particles inside a solid goes on to 
 {
   const ScratchFolder            folder;
   const std::vector<std::string> words = {
-    "run", shipped_beam("bending_with_core.prm"), "-s", "Output/Checkpoint interval=0.01",
-    "-s",  "Output/Points per snapshot=5",        "-s", "Path/End=3e-5"};
+    "run", places::scene("bending_with_core.prm"), "-s", "Output/Checkpoint interval=0.01",
+    "-s",  "Output/Points per snapshot=5",         "-s", "Path/End=3e-5"};
   goes_on_to_the_same_bits(folder, {words, {"solid/solid_000002.vtu", "checkpoint.h5"}, kept_of_structure},
                            {SIGINT, SIGKILL});
 }

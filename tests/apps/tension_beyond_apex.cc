@@ -8,17 +8,12 @@
 using namespace apps_tests;
 using Catch::Contains;
 
-namespace
-{
-  std::string shipped(const std::string &scene) { return places::sources() + "/apps/scenes/" + scene; }
-} // namespace
-
 TEST_CASE("A tensile strength beyond c / tan phi is reported", "[apps]")
 {
   const ScratchFolder folder;
   const std::string   law   = "Material/flat-joint/";
   const auto          check = [&](const std::vector<std::string> &changes) {
-    return outcome_of(folder, "check", shipped("rock_tension.prm"), changes).out;
+    return outcome_of(folder, "check", places::scene("rock_tension.prm"), changes).out;
   };
   CHECK_THAT(check({}), !Contains("is never reached"));
   CHECK_THAT(check({law + "Cohesion=1e6"}),
@@ -30,7 +25,7 @@ TEST_CASE("A tensile strength beyond c / tan phi is reported", "[apps]")
 TEST_CASE("A run keeps the warning of a tensile strength beyond c / tan phi", "[apps][slow]")
 {
   const ScratchFolder folder;
-  const auto          warnings = results_of(folder, shipped("jointed_cube.prm"),
+  const auto          warnings = results_of(folder, places::scene("jointed_cube.prm"),
                                             {"Material/flat-joint/Cohesion=1e6", "Loading/Tests=tension"}, {"test"})
                           .summary["warnings"];
   INFO(warnings.dump(1));

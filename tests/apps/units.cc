@@ -21,7 +21,6 @@ namespace
     std::string scene, entry, value, unit, question;
   };
 
-  std::string shipped(const std::string &scene) { return places::sources() + "/apps/scenes/" + scene; }
 } // namespace
 
 TEST_CASE("A number of another unit is questioned in every dimension, and taken with its unit named", "[apps]")
@@ -52,7 +51,7 @@ TEST_CASE("A number of another unit is questioned in every dimension, and taken 
   const auto check = [&](const std::string &value) {
     // A later entry that nothing takes ends the reading.
     return run(folder.path(),
-               {"check", shipped(odd.scene), "-s", odd.entry + "=" + value, "-s", "Output/Samples=none"});
+               {"check", places::scene(odd.scene), "-s", odd.entry + "=" + value, "-s", "Output/Samples=none"});
   };
   const Outcome requested = check(odd.value);
   CHECK(requested.status == 2);
@@ -89,7 +88,7 @@ TEST_CASE("The stress of a cell's leg is questioned, and taken with its unit nam
 {
   const ScratchFolder folder;
   const auto          check = [&](const std::string &target) {
-    return run(folder.path(), {"check", shipped("periodic_cell.prm"), "-s", "Loading/Leg 1/yy=" + target, "-s",
+    return run(folder.path(), {"check", places::scene("periodic_cell.prm"), "-s", "Loading/Leg 1/yy=" + target, "-s",
                                "Output/Samples=none"});
   };
   CHECK_THAT(check("stress -1").err, Contains("Leg 1/yy = stress -1: a solid hardly feels so small a load."));
@@ -115,7 +114,7 @@ TEST_CASE("Numbers in lists are questioned, and taken where each names its unit"
     const std::string last = odd.entry.find("Particles") == 0 ? "Study/Least force=none" :
                              odd.entry.find("Waves") == 0     ? "Waves/Angle=none" :
                                                                 "Output/Samples=none";
-    return run(folder.path(), {"check", shipped(odd.scene), "-s", odd.entry + "=" + value, "-s", last});
+    return run(folder.path(), {"check", places::scene(odd.scene), "-s", odd.entry + "=" + value, "-s", last});
   };
   const Outcome requested = check(odd.value);
   CHECK(requested.status == 2);
@@ -159,7 +158,7 @@ TEST_CASE("A soft concrete is taken as its own hint says", "[apps]")
   const ScratchFolder folder;
   const std::string   law   = "Materials/solid/damage-plastic concrete/";
   const auto          check = [&](const std::string &modulus, const std::string &strength) {
-    return run(folder.path(), {"check", shipped("notched_beam.prm"), "-s", law + "Young modulus=" + modulus, "-s",
+    return run(folder.path(), {"check", places::scene("notched_beam.prm"), "-s", law + "Young modulus=" + modulus, "-s",
                                law + "Tensile strength=" + strength, "-s", "Mesh/Notched beam/Fine size=0.02"});
   };
   CHECK_THAT(check("5e5", "3e6").err, Contains("name the unit: 5e5 Pa"));
@@ -223,7 +222,7 @@ TEST_CASE("check reports the extents of the particles, whatever the kind of scen
        {"own_packing.prm", "quasi_static.prm", "bonded_beam.prm", "periodic_cell.prm", "homogenisation_sweep.prm",
         "bending_with_core.prm", "beam_and_spheres.prm", "transfer_compression.prm"})
     {
-      const Outcome found = run(folder.path(), {"check", shipped(scene)});
+      const Outcome found = run(folder.path(), {"check", places::scene(scene)});
       INFO(scene << "\n" << found.out << found.err);
       CHECK_THAT(found.out, Contains("\n  extents      x "));
       CHECK_THAT(found.out, Contains("\n  radius       ") || Contains("\n  radii        "));

@@ -7,10 +7,11 @@ using namespace block;
 
 namespace
 {
-  constexpr double radius = 0.01, width = 2 * radius, modulus = 1e8, disc_density = 2500, bar_density = 2400;
+  constexpr double radius = 0.01, strip_width = 2 * radius, strip_modulus = 1e8, disc_density = 2500,
+                   bar_density = 2400;
 
   /** Stiffness of a link, mass of a disc, and their wave: impedance sqrt(k m), speed 2 r sqrt(k/m). */
-  const double link = modulus * width / (2 * radius), mass = disc_density * M_PI * radius * radius,
+  const double link = strip_modulus * strip_width / (2 * radius), mass = disc_density * M_PI * radius * radius,
                impedance = std::sqrt(link * mass), speed = 2 * radius * std::sqrt(link / mass);
 
   /** Reflected over incident velocity, and the same of energy. */
@@ -25,7 +26,7 @@ namespace
     constexpr int discs = 220;
     dem::Packing  packing;
     for (int i = 0; i < discs; ++i)
-      packing.centre.emplace_back(0.5 * width, (2 * i + 1) * radius, 0);
+      packing.centre.emplace_back(0.5 * strip_width, (2 * i + 1) * radius, 0);
     packing.radius.assign(discs, radius);
     auto p              = cluster::bonded(1.02);
     p.physics.dimension = 2;
@@ -35,16 +36,16 @@ namespace
     p.step_factor       = 0.2;
     dem::ParallelBondParameters bonds;
     bonds.effective_modulus      = 1; // of the contact under a bond, which would stiffen it in compression alone
-    bonds.bond_effective_modulus = modulus;
+    bonds.bond_effective_modulus = strip_modulus;
     bonds.tensile_strength = bonds.cohesion = 1e12;
     dem::Specimen row(packing, p, bonds);
 
-    const double            young  = std::pow(ratio * impedance / width, 2) / bar_density;
-    const double            length = 1.5, height = 0.5 * width;
+    const double            young  = std::pow(ratio * impedance / strip_width, 2) / bar_density;
+    const double            length = 1.5, height = 0.5 * strip_width;
     const auto              elements = static_cast<unsigned int>(std::lround(length / height));
     fem::SolidOptions       options;
     const fem::BuildMesh<2> bar = [&](dealii::Triangulation<2> &mesh) {
-      dealii::GridGenerator::subdivided_hyper_rectangle(mesh, {1, elements}, {0, -length}, {width, 0}, true);
+      dealii::GridGenerator::subdivided_hyper_rectangle(mesh, {1, elements}, {0, -length}, {strip_width, 0}, true);
     };
     fem::Solid<2> solid(fem::make_mesh<2>(bar, fem::ElementFamily::hypercube, MPI_COMM_SELF), options);
     for (const auto &entry : std::map(solid.mesh().materials))

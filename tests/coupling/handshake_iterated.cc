@@ -22,7 +22,7 @@ namespace
   constexpr double spacing = 0.01, modulus = 25e9, across = 4 * spacing;
   constexpr double particles_to = 12 * spacing, overlap_width = 4 * spacing, end = 22 * spacing;
 
-  dem::CpmParameters concrete()
+  dem::CpmParameters bonds_of_concrete()
   {
     dem::CpmParameters p;
     p.normal_modulus       = modulus;
@@ -70,7 +70,7 @@ namespace
       links.interaction_ratio = random_cell::interaction_ratio;
       const dem::Packing packing =
         random_cell::fill<3>(random_cell::make<3>(spacing), particles_to + overlap_width, across);
-      dem::LoadedNetwork particles = dem::unloaded(dem::make_network(packing, links, concrete()));
+      dem::LoadedNetwork particles = dem::unloaded(dem::make_network(packing, links, bonds_of_concrete()));
       for (std::size_t i = 0; i < packing.size(); ++i)
         for (int c = 0; c < 3 && packing.centre[i].x() < spacing; ++c)
           dem::drive(particles, {i}, c, 0);
@@ -130,8 +130,8 @@ TEST_CASE("iterated handshake: from each point of a path by factors it finds the
   const std::string name = GENERATE("coarse", "strict", "constrained");
   INFO(name);
   const Bar            bar(method_of(name));
-  dem::QuasiStaticPath factors(bar.network(), concrete(), pulled(dem::SolverMethod::direct)),
-    iterated(bar.network(), concrete(), pulled(dem::SolverMethod::iterative));
+  dem::QuasiStaticPath factors(bar.network(), bonds_of_concrete(), pulled(dem::SolverMethod::direct)),
+    iterated(bar.network(), bonds_of_concrete(), pulled(dem::SolverMethod::iterative));
   double furthest = 0;
   while (!factors.finished())
     {
@@ -152,5 +152,5 @@ TEST_CASE("iterated handshake: every number has the bits of one rank", "[couplin
   const std::string name = GENERATE("coarse", "strict", "constrained");
   INFO(name);
   const Bar bar(method_of(name));
-  same_on_ranks(bar.network(), concrete(), pulled(dem::SolverMethod::iterative, 1.5e-5), {2, 3});
+  same_on_ranks(bar.network(), bonds_of_concrete(), pulled(dem::SolverMethod::iterative, 1.5e-5), {2, 3});
 }

@@ -11,7 +11,7 @@ using namespace coupling;
 
 namespace
 {
-  fem::MaterialConstantsOf<fem::DamagePlasticConcrete> concrete()
+  fem::MaterialConstantsOf<fem::DamagePlasticConcrete> solid_concrete()
   {
     auto p              = material_m2();
     p.largest_increment = 2e-4;
@@ -22,7 +22,7 @@ namespace
 TEST_CASE("identification finds the law that made the observations", "[coupling]")
 {
   // Observations made by a known law: tensors of growing damage, and the continuum's own damage at the stress they stand for.
-  const ContinuumReference reference(concrete(), 2.0, true, 3.5e-5, 0.1);
+  const ContinuumReference reference(solid_concrete(), 2.0, true, 3.5e-5, 0.1);
   MappingLaw               truth;
   truth.weights  = {{0.7, 0.0, 0.3}};
   truth.factor   = 1.4;
@@ -46,7 +46,7 @@ TEST_CASE("identification finds the law that made the observations", "[coupling]
 
 TEST_CASE("the continuum's reference knows its peak, its hardening and its damage", "[coupling]")
 {
-  const ContinuumReference reference(concrete(), 2.0, true, 3.5e-5, 0.2);
+  const ContinuumReference reference(solid_concrete(), 2.0, true, 3.5e-5, 0.2);
   CHECK(reference.peak() == Approx(40e6).epsilon(1e-4)); // M2: f_c
   // State published at strain -2.45e-3: 27.839 MPa, omega = 0.30404 (doc/theory/damage-plastic-concrete.md, 6, M2).
   CHECK(reference.damage_at(27.839 / 40) == Approx(0.30404).epsilon(2e-3));
@@ -57,7 +57,7 @@ TEST_CASE("the continuum's reference knows its peak, its hardening and its damag
 
 TEST_CASE("too few states after the peak are refused", "[coupling]")
 {
-  const ContinuumReference reference(concrete(), 2.0, true, 3.5e-5, 0.5);
+  const ContinuumReference reference(solid_concrete(), 2.0, true, 3.5e-5, 0.5);
   CHECK_THROWS_WITH(
     identify(std::vector<ParticleObservation>(3, {Eigen::Matrix3d::Identity(), 0.5, true}), reference, {}),
     Catch::Contains("3 states after the peak"));

@@ -36,7 +36,7 @@ namespace
   }
 
   /** In the plane: xx, yy and the shear xy. */
-  base::Voigt in_plane(const double xx, const double yy, const double xy)
+  base::Voigt strain_in_plane(const double xx, const double yy, const double xy)
   {
     base::Voigt strain = base::Voigt::Zero();
     strain << xx, yy, 0, 0, 0, xy;
@@ -50,7 +50,7 @@ TEST_CASE("cells of discs: in the plane they have the stiffness of the static so
   const auto D =
     dem::relaxed_stiffness(dem::make_network(homogenisation_fixture::six_discs(), plane_parameters().links, concrete()))
       .stiffness;
-  const base::Voigt strain = in_plane(1e-6, -4e-7, 7e-7);
+  const base::Voigt strain = strain_in_plane(1e-6, -4e-7, 7e-7);
   const base::Voigt exact  = D * strain;
   for (const fem::Plane plane : {fem::Plane::strain, fem::Plane::stress})
     {
@@ -73,10 +73,10 @@ TEST_CASE("cells of discs: the tangent is the derivative while links damage, and
       coupling::CellPoints of(p, fem::Plane::strain);
       of.allocate(1);
       of.place(std::vector<fem::GatheredPoints::Site>(1), {true, large, ""});
-      requested(of, in_plane(1.6e-4, -3e-5, 5e-5));
+      requested(of, strain_in_plane(1.6e-4, -3e-5, 5e-5));
       of.commit();
       CHECK(of.promoted() == 1);
-      const base::Voigt strain = in_plane(1.8e-4, -3e-5, 6e-5);
+      const base::Voigt strain = strain_in_plane(1.8e-4, -3e-5, 6e-5);
       const auto        answer = requested(of, strain);
       CHECK(of.dissipated(0, {}).damage > 0);
       base::Stiffness D = answer.tangent;
@@ -94,7 +94,7 @@ TEST_CASE("cells of discs: one that is pulled apart localises across the pull, i
   const auto of = plane_point(fem::Plane::stress, false, coupling::Localised::stop);
   for (int i = 1; i <= 400 && of->localisations().empty(); ++i)
     {
-      requested(*of, in_plane(5e-6 * i, -1e-6 * i, 0));
+      requested(*of, strain_in_plane(5e-6 * i, -1e-6 * i, 0));
       of->commit();
     }
   REQUIRE(of->localisations().size() == 1);
@@ -121,7 +121,7 @@ TEST_CASE(
   "cells of discs in motion: driven slowly they come to the stress of the static solution, in strain and in stress",
   "[coupling][multiscale]")
 {
-  const base::Voigt strain = in_plane(1e-6, -4e-7, 7e-7), exact = discs()->stiffness() * strain;
+  const base::Voigt strain = strain_in_plane(1e-6, -4e-7, 7e-7), exact = discs()->stiffness() * strain;
   for (const fem::Plane plane : {fem::Plane::strain, fem::Plane::stress})
     for (const bool large : {false, true})
       {

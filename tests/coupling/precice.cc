@@ -34,9 +34,9 @@ namespace
   }
 
   /** A block of linked particles that nothing holds. */
-  struct Block
+  struct WholeBlock
   {
-    Block()
+    WholeBlock()
       : specimen(cluster::cubic_lattice(3, 2, 2, 1e-3), cluster::elastic(cluster::bonded(1.5)), cluster::concrete())
       , side(specimen)
     {
@@ -149,8 +149,8 @@ TEST_CASE("impulse that was read from preCICE is the momentum a body has gained"
         given += course.window * at(window.read.at("Force"), k);
     return (momentum - given).norm() / given.norm();
   };
-  Block block;
-  Rod   rod;
+  WholeBlock block;
+  Rod        rod;
   // Velocities are half a step behind: the first step is pushed for half its length.
   CHECK(gained(block.side, {0, 4, 7}) < 0.02);
   CHECK(gained(*rod.side, rod.end) < 0.02);
@@ -191,7 +191,8 @@ TEST_CASE("windows that an implicit coupling takes back leave no trace, to the l
       CHECK(once[k].written == kept[k].written);
     CHECK(kept.front().written != kept.back().written);
   };
-  check([] { return std::make_unique<Block>(); }, [](Block &b) -> coupling::Participant & { return b.side; }, {0, 5});
+  check([] { return std::make_unique<WholeBlock>(); }, [](WholeBlock &b) -> coupling::Participant & { return b.side; },
+        {0, 5});
   check([] { return std::make_unique<Rod>(); }, [](Rod &r) -> coupling::Participant & { return *r.side; }, {0, 5});
 }
 
@@ -230,8 +231,8 @@ TEST_CASE("end of a rod that another code leads takes rho c v A", "[coupling]")
 
 TEST_CASE("mesh of two dimensions exchanges x and y alone", "[coupling]")
 {
-  Block  block;
-  Course course;
+  WholeBlock block;
+  Course     course;
   course.dimensions        = 2;
   course.window            = block.side.stable_step();
   course.end               = 3 * course.window;
@@ -248,7 +249,7 @@ TEST_CASE("mesh of two dimensions exchanges x and y alone", "[coupling]")
 
 TEST_CASE("data that cannot be exchanged are refused by the name of the mesh", "[coupling]")
 {
-  Block      block;
+  WholeBlock block;
   Course     course;
   const auto refused = [&](const PreciceMesh &mesh) {
     try

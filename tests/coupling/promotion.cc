@@ -18,7 +18,7 @@ namespace
 {
   constexpr double spacing = 0.01, elastic_strain = 1e-4;
 
-  dem::CpmParameters brittle()
+  dem::CpmParameters brittle_row()
   {
     dem::CpmParameters p   = cluster::concrete();
     p.limit_elastic_strain = elastic_strain;
@@ -30,7 +30,7 @@ namespace
   struct Row
   {
     Row()
-      : materials(brittle())
+      : materials(brittle_row())
       , packing(dem::make_lattice(dem::Lattice::square, spacing / 2, {6, 1, 1}))
     {
       packing.periodic_cell.reset();

@@ -213,7 +213,7 @@ TEMPLATE_TEST_CASE_SIG(
 namespace
 {
   /** Concrete that snaps back in a bar of 29 particles. */
-  dem::CpmParameters brittle()
+  dem::CpmParameters brittle_bonds()
   {
     dem::CpmParameters p;
     p.normal_modulus       = modulus;
@@ -245,7 +245,7 @@ namespace
     p.growth_step = 0.05;
     p.end_stress  = 0.2;
     p.tolerance   = 1e-10;
-    dem::QuasiStaticPath path(loaded, brittle(), p);
+    dem::QuasiStaticPath path(loaded, brittle_bonds(), p);
     while (!path.finished())
       path.advance();
     return path.points();
@@ -256,7 +256,7 @@ TEST_CASE("static handshake: a bar with a weak section snaps back as the same ba
           "[coupling][volume][statics]")
 {
   const Bar<2>::Motion     pulled_away = [](const Vector3d &x) { return Vector3d(x.x() > spacing ? 1 : 0, 0, 0); };
-  const dem::LinkMaterials concrete    = brittle();
+  const dem::LinkMaterials concrete    = brittle_bonds();
   dem::LoadedNetwork       alone       = dem::unloaded(Bar<2>::network(18 * spacing, concrete));
   for (std::size_t i = 0; i < alone.network.particles(); ++i)
     for (int c = 0; c < 2; ++c)

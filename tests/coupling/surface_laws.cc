@@ -9,13 +9,13 @@ using namespace block;
 namespace
 {
   /** A spinning ball on its way to a face of the free block. */
-  struct Collision
+  struct LossyCollision
   {
     Block<3>                      block;
     dem::Specimen                 specimen;
     coupling::ConcurrentMotion<3> both;
 
-    explicit Collision(const double restitution)
+    explicit LossyCollision(const double restitution)
       : block(3)
       , specimen(ball(0.02, {0.03, 0.04, 0.1205}, {2, -1, -5}, {40, 100, -60}, 0.1))
       , both(specimen, block.solid, *block.motion, *block.participant)
@@ -43,7 +43,7 @@ TEST_CASE("surface coupling: elastic spheres with a dashpot keep momentum and en
   double lost[2];
   for (const int damped : {0, 1})
     {
-      Collision c(damped ? 0.5 : 1.0);
+      LossyCollision c(damped ? 0.5 : 1.0);
       c.both.advance(c.step());
       const Vector3d start  = c.total_momentum();
       const double   energy = c.energy();

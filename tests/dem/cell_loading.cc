@@ -2,6 +2,7 @@
 #include "dem/laws/linear_contact.h"
 #include "dem/measures/localisation.h"
 #include "periodic_cell_fixture.h"
+#include "tests/dem/memory_state.h"
 
 #include <catch2/catch.hpp>
 
@@ -209,7 +210,7 @@ TEST_CASE("a cell that is closed goes on from a saved state to the same bits", "
 {
   dem::SpecimenParameters how = concrete_specimen();
   how.interaction_ratio       = 1.0001;
-  MemoryState saved, whole, resumed;
+  MemoryState saved, whole;
   const auto  path = [](const dem::Specimen &specimen) {
     return pressed_from_all_sides(1e6, 3000 * specimen.time_step());
   };
@@ -218,18 +219,16 @@ TEST_CASE("a cell that is closed goes on from a saved state to the same bits", "
     dem::CellTest test(specimen, path(specimen));
     test.advance(1497);
     REQUIRE(specimen.counts().contacts > 0);
-    specimen.visit_state(saved), test.visit_state(saved);
+    saved = MemoryState::of(specimen, test);
     test.advance(3000);
     REQUIRE(test.finished());
-    specimen.visit_state(whole), test.visit_state(whole);
+    whole = MemoryState::of(specimen, test);
   }
   dem::Specimen specimen(column_of_four(2e-7, 5e-7), how, brittle_concrete());
   dem::CellTest test(specimen, path(specimen));
-  saved.reading = true;
-  specimen.visit_state(saved), test.visit_state(saved);
+  saved.restore(specimen, test);
   test.advance(3000);
-  specimen.visit_state(resumed), test.visit_state(resumed);
-  CHECK(resumed == whole);
+  CHECK(MemoryState::of(specimen, test) == whole);
 }
 
 TEST_CASE("grains without contacts have no damage, and no error of their energies", "[dem][periodic]")

@@ -28,18 +28,19 @@ namespace
     return p;
   }
 
-  using Bond    = dem::CpmExtended<true>;
-  using Contact = dem::CpmExtended<false>;
-  using State   = dem::CpmExtendedState<double, 3>;
+  using Bond          = dem::CpmExtended<true>;
+  using Contact       = dem::CpmExtended<false>;
+  using ExtendedState = dem::CpmExtendedState<double, 3>;
 
-  State fresh(const CpmExtendedConstants &k)
+  ExtendedState fresh(const CpmExtendedConstants &k)
   {
-    State s{};
+    ExtendedState s{};
     s.plastic_strain = k.plastic_prestrain();
     return s;
   }
 
-  double normal_stress(const CpmExtendedConstants &k, const double strain, State &state, const double per_second = 0)
+  double
+  normal_stress(const CpmExtendedConstants &k, const double strain, ExtendedState &state, const double per_second = 0)
   {
     return Bond::update(k, strain, 0.0, per_second, state).normal_stress;
   }
@@ -55,8 +56,8 @@ TEST_CASE("CPM flows in compression as published, however many steps it takes, a
   const CpmExtendedConstants k(p);
   for (const int steps : {1, 7, 1000})
     {
-      State  state  = fresh(k);
-      double stress = 0;
+      ExtendedState state  = fresh(k);
+      double        stress = 0;
       for (int i = 1; i <= steps; ++i)
         stress = normal_stress(k, -6e-4 * i / steps, state);
       INFO(steps << " steps");
@@ -90,7 +91,7 @@ TEST_CASE("CPM logarithmic strength has its published value, and value and slope
         CHECK(Bond::strength(k, damage, tension) == Bond::strength(linear, damage, tension));
     }
   // What is sheared far beyond bears just that.
-  State state                  = fresh(k);
+  ExtendedState state          = fresh(k);
   state.elastic_shear          = {{0, 1.0, 0}};
   const auto          response = Bond::update(k, -10e6 / 30e9, 0.0, 0.0, state);
   dem::Vec<double, 3> shear    = response.shear_stress;
@@ -107,7 +108,7 @@ TEST_CASE("CPM visco-damage: steady opening has the overstress of its definition
         p.options.damage_exponent   = M;
         p.options.damage_overstress = reduced ? dem::DamageOverstress::undamaged : dem::DamageOverstress::whole;
         const CpmExtendedConstants k(p);
-        State                      state = fresh(k);
+        ExtendedState              state = fresh(k);
         normal_stress(k, 1e-3, state); // no time passes: damaged as if slowly
         const double omega = state.damage;
         CHECK(state.damage_strain == Approx(omega * 1e-3).epsilon(1e-14));
@@ -137,7 +138,7 @@ TEST_CASE("CPM visco-damage: overstress at a held opening dies out as its differ
   p.options.damage_time     = 100;
   p.options.damage_exponent = 1;
   const CpmExtendedConstants k(p);
-  State                      state = fresh(k);
+  ExtendedState              state = fresh(k);
   const double               dt = 1e-4, strain = 3e-4;
   double                     stress = normal_stress(k, strain, state, 1e12); // at once: nothing has softened yet
   const double               slow   = (1 - state.damage) * 30e9 * strain;
@@ -160,7 +161,7 @@ TEST_CASE("CPM visco-plasticity: steady sliding has the overstress of its defini
       p.options.plastic_time     = 3;
       p.options.plastic_exponent = M;
       const CpmExtendedConstants          k(p);
-      State                               state = fresh(k);
+      ExtendedState                       state = fresh(k);
       const double                        rate = 0.02, dt = 1e-4, normal = -1e-4;
       dem::CpmExtendedResponse<double, 3> response;
       for (int i = 0; i < 20000; ++i)
@@ -188,12 +189,12 @@ TEST_CASE("CPM prestress is borne from the start and is no part of the stress", 
       p.options.prestress = sigma;
       const CpmExtendedConstants k(p);
       INFO("prestress " << sigma);
-      State state = fresh(k);
+      ExtendedState state = fresh(k);
       CHECK(normal_stress(k, 0.0, state) == Approx(0).margin(1e-2));
       CHECK(k.prestrain == Approx(sigma >= -6e6 ? sigma / 30e9 : -2e-4 - 3e6 / 15e9).epsilon(1e-14));
       CHECK(state.plastic_strain == Approx(sigma < -6e6 ? -1e-4 : 0.0).margin(1e-15));
       // It presses: friction counts it.
-      State sheared         = fresh(k);
+      ExtendedState sheared = fresh(k);
       sheared.elastic_shear = {{0, 0, 1}};
       CHECK(length_of(Bond::update(k, 0.0, 0.0, 0.0, sheared).shear_stress) ==
             Approx(3.5e6 - 0.8 * sigma).epsilon(1e-9));
@@ -202,8 +203,8 @@ TEST_CASE("CPM prestress is borne from the start and is no part of the stress", 
       const double expected = -30e9 * (std::min(more, elastic) + 0.5 * std::max(more - elastic, 0.0));
       CHECK(normal_stress(k, -more, state) == Approx(expected).epsilon(1e-9));
       // Damage starts when the prestress is undone and the limit strain reached.
-      State        pulled = fresh(k);
-      const double onset  = 1e-4 - sigma / 30e9;
+      ExtendedState pulled = fresh(k);
+      const double  onset  = 1e-4 - sigma / 30e9;
       CHECK(normal_stress(k, onset * (1 - 1e-9), pulled) == Approx(30e9 * onset).epsilon(1e-8));
       CHECK(pulled.damage == 0);
       normal_stress(k, onset * 1.1, pulled);
@@ -215,7 +216,7 @@ TEST_CASE("CPM with all options off gives the bits of the plain law", "[dem][law
 {
   const CpmExtendedConstants k(plain());
   dem::UniformRandom         random(5);
-  State                      state     = fresh(k);
+  ExtendedState              state     = fresh(k);
   dem::CpmState<double, 3>   alone     = {0.0, 0.0, {{0, 0, 0}}};
   int                        different = 0, slid = 0;
   for (int i = 0; i < 3000; ++i)
@@ -254,7 +255,7 @@ TEST_CASE("CPM options: eight links side by side have the bits of each of them a
   for (int trial = 0; trial < 2000; ++trial)
     {
       alignas(64) double in[7][8], out[8][8]; // strain, shear squared, kappa, plastic strain, elastic shear
-      State              alone[8];
+      ExtendedState      alone[8];
       for (int lane = 0; lane < 8; ++lane)
         {
           for (int row = 0; row < 7; ++row)
@@ -279,11 +280,11 @@ TEST_CASE("CPM options: eight links side by side have the bits of each of them a
         dem::store(found[row], out[row]);
       for (int lane = 0; lane < 8; ++lane)
         {
-          State       &own        = alone[lane];
-          const auto   single     = Bond::update(k, in[0][lane], in[1][lane], 1e6, own);
-          const double expected[] = {
-            single.normal_stress, single.shear_stress[0], single.overstress_share, own.kappa,
-            own.damage,           own.damage_strain,      own.plastic_strain,      own.elastic_shear[2]};
+          ExtendedState &own        = alone[lane];
+          const auto     single     = Bond::update(k, in[0][lane], in[1][lane], 1e6, own);
+          const double   expected[] = {
+              single.normal_stress, single.shear_stress[0], single.overstress_share, own.kappa,
+              own.damage,           own.damage_strain,      own.plastic_strain,      own.elastic_shear[2]};
           for (int row = 0; row < 8; ++row)
             different += out[row][lane] != expected[row];
         }

@@ -9,7 +9,7 @@ using namespace walls;
 
 namespace
 {
-  constexpr double radius = 0.01;
+  constexpr double ball_radius = 0.01;
 
   /** A carpet of small facets under a sphere. */
   struct Carpet
@@ -21,7 +21,7 @@ namespace
     /** Of a contact at the nearest point. */
     dem::ContactZone zone(const Vector3d &centre) const
     {
-      const double                search = dem::Footprint::reach * radius;
+      const double                search = dem::Footprint::reach * ball_radius;
       std::vector<dem::NearPoint> near;
       for (std::size_t f = 0; f < mesh.size(); ++f)
         {
@@ -34,15 +34,15 @@ namespace
       dem::ZoneRoom room;
       dem::contact_zones(near, centre, search, room);
       dem::ContactZone zone = *room.zones.begin();
-      zone.overlap -= search - radius;
+      zone.overlap -= search - ball_radius;
       return zone;
     }
 
     dem::SpreadContact contact(const Vector3d &centre) const
     {
       dem::SpreadRoom                        room;
-      const std::vector<dem::StandingSphere> alone = {{centre, radius}};
-      REQUIRE(footprint.spread(mesh, place, zone(centre), {alone, radius, {}}, room));
+      const std::vector<dem::StandingSphere> alone = {{centre, ball_radius}};
+      REQUIRE(footprint.spread(mesh, place, zone(centre), {alone, ball_radius, {}}, room));
       return room.found;
     }
   };
@@ -102,7 +102,7 @@ TEST_CASE("on a curved surface as it was made a spread contact overlaps as one a
   const double   across = 0.06;
   const auto     round  = [&](double x, double) { return std::sqrt(across * across - x * x) - across; };
   Carpet         carpet{patch(0.03, 24, round, 0)};
-  const Vector3d centre(0.3e-3, 0.2e-3, radius - 1e-4);
+  const Vector3d centre(0.3e-3, 0.2e-3, ball_radius - 1e-4);
   const double   at_point = carpet.zone(centre).overlap;
   CHECK(at_point == Approx(1e-4).epsilon(0.15)); // facets are chords
   const dem::SpreadContact whole = carpet.contact(centre);
@@ -125,11 +125,11 @@ TEST_CASE("forces of a spread contact are the slope of its energy in any dent of
   for (const double depth : {1e-4, 3e-4})
     {
       Dented                   dented(depth);
-      const Vector3d           centre(0.8e-3, 0.5e-3, radius - depth - 1e-4);
+      const Vector3d           centre(0.8e-3, 0.5e-3, ball_radius - depth - 1e-4);
       const dem::SpreadContact contact = dented.contact(centre);
       const Vector3d           towards = (contact.place - centre).normalized();
       CHECK(contact.overlap > 0);
-      CHECK(contact.overlap == Approx(radius - (contact.place - centre).norm()).epsilon(1e-9));
+      CHECK(contact.overlap == Approx(ball_radius - (contact.place - centre).norm()).epsilon(1e-9));
       // Of overlaps, in one metre of way. With weights that go with the dented surface it is the dent's slope, some hundredths.
       const double h = 1e-7, small = 1e-6;
       double       worst = 0;
@@ -142,7 +142,7 @@ TEST_CASE("forces of a spread contact are the slope of its energy in any dent of
         }
       for (std::size_t v = 0; v < dented.place.size(); ++v)
         {
-          if ((dented.place[v] - centre).norm() > 2.5 * radius)
+          if ((dented.place[v] - centre).norm() > 2.5 * ball_radius)
             continue;
           double weight = 0;
           for (const dem::VertexWeight &part : contact.weights)

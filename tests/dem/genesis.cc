@@ -36,7 +36,7 @@ namespace
   }
 
   /** Of four sizes. */
-  dem::GenesisParameters mortar(const double width, const double height, const std::uint64_t seed = 1)
+  dem::GenesisParameters mortar_in(const double width, const double height, const std::uint64_t seed = 1)
   {
     return mortar_of({0.54e-3, 1.24e-3, 2.51e-3, 4.48e-3}, width, height, seed);
   }
@@ -93,7 +93,7 @@ TEST_CASE("a packing grows to its stress, in balance, with its energy accounted 
   double                  porosity = 0; // scatters by 0.002: its mean says more than any one
   for (std::uint64_t seed = 1; seed <= seeds; ++seed)
     {
-      dem::GenesisParameters p = mortar(0.02, 0.03, seed);
+      dem::GenesisParameters p = mortar_in(0.02, 0.03, seed);
       dem::Genesis           genesis(p);
       genesis.advance(std::numeric_limits<std::int64_t>::max() / 2);
       REQUIRE(genesis.finished());
@@ -120,7 +120,7 @@ TEST_CASE("floaters get the radii that make them part of the packing, whose stre
   for (const dem::GenesisParameters &p :
        {mortar_of({1.68e-3}, 0.03, 0.04, 1), mortar_of({1.68e-3}, 0.03, 0.04, 2), mortar_of({1.68e-3}, 0.03, 0.04, 3),
         mortar_of({1.68e-3}, 0.03, 0.04, 4), mortar_of({1.68e-3}, 0.03, 0.04, 5), mortar_of({1.68e-3}, 0.03, 0.04, 6),
-        mortar_of({1.68e-3}, 0.03, 0.04, 7), mortar(0.02, 0.04), mortar(0.02, 0.04, 2)})
+        mortar_of({1.68e-3}, 0.03, 0.04, 7), mortar_in(0.02, 0.04), mortar_in(0.02, 0.04, 2)})
     {
       INFO(p.radii.size() << " particles, seed " << p.seed);
       dem::Genesis genesis(p);
@@ -142,7 +142,7 @@ TEST_CASE("floaters get the radii that make them part of the packing, whose stre
 
 TEST_CASE("without a stress to come to, floaters alone get other radii, and the porosity stays", "[slow]")
 {
-  auto p   = mortar(0.02, 0.04);
+  auto p   = mortar_in(0.02, 0.04);
   p.stress = 0;
   dem::Genesis genesis(p);
   genesis.advance(std::numeric_limits<std::int64_t>::max() / 2);
@@ -167,7 +167,7 @@ TEST_CASE("without a stress to come to, floaters alone get other radii, and the 
 
 TEST_CASE("where hardly a floater is left, none is fitted")
 {
-  auto p             = mortar(0.01, 0.012);
+  auto p             = mortar_in(0.01, 0.012);
   p.stress           = 0;
   p.floaters_allowed = 1;
   dem::Genesis genesis(p);
@@ -215,7 +215,7 @@ TEST_CASE("spheres of two classes grow in a cylinder, to their stress and in bal
 
 TEST_CASE("the same seed gives the same packing with any number of threads, another seed another", "[slow]")
 {
-  auto p           = mortar(0.015, 0.02);
+  auto p           = mortar_in(0.015, 0.02);
   p.stress_rounds  = 2;
   p.floater_rounds = 1;
   p.solve_steps    = 2000;
@@ -225,14 +225,14 @@ TEST_CASE("the same seed gives the same packing with any number of threads, anot
   const dem::Packing three = grown(p);
   omp_set_num_threads(1);
   CHECK(same(one, three));
-  auto other          = mortar(0.015, 0.02, 2);
+  auto other          = mortar_in(0.015, 0.02, 2);
   other.stress_rounds = 2, other.floater_rounds = 1, other.solve_steps = 2000;
   CHECK(!same(one, grown(other)));
 }
 
 TEST_CASE("a genesis goes on from any saved state to the same bits, which saving does not change", "[slow]")
 {
-  auto p           = mortar(0.015, 0.02);
+  auto p           = mortar_in(0.015, 0.02);
   p.stress_rounds  = 2;
   p.floater_rounds = 2;
   p.solve_steps    = 2000;
@@ -262,7 +262,7 @@ TEST_CASE("a genesis goes on from any saved state to the same bits, which saving
 
 TEST_CASE("bonds over the installation gap leave a packing without force, and it stays where it is", "[slow]")
 {
-  auto p                           = mortar(0.02, 0.03);
+  auto p                           = mortar_in(0.02, 0.03);
   p.stress_rounds                  = 3; // some overlap is left, which must not matter
   p.fit_floaters                   = false;
   p.solve_steps                    = 3000;
@@ -292,7 +292,7 @@ TEST_CASE("bonds over the installation gap leave a packing without force, and it
 
 TEST_CASE("without a stress to come to, particles rest at their full size")
 {
-  auto p         = mortar(0.01, 0.012);
+  auto p         = mortar_in(0.01, 0.012);
   p.stress       = 0;
   p.fit_floaters = false;
   dem::Genesis genesis(p);
@@ -309,13 +309,13 @@ TEST_CASE("without a stress to come to, particles rest at their full size")
 
 TEST_CASE("values that are none are refused by name")
 {
-  auto p   = mortar(0.015, 0.02);
+  auto p   = mortar_in(0.015, 0.02);
   p.stress = -1;
   CHECK_THROWS_AS(dem::Genesis(p), base::InputError);
-  p       = mortar(0.015, 0.02);
+  p       = mortar_in(0.015, 0.02);
   p.radii = {};
   CHECK_THROWS_AS(dem::Genesis(p), base::InputError);
-  p              = mortar(0.015, 0.02);
+  p              = mortar_in(0.015, 0.02);
   p.vessel.shape = dem::Vessel::Shape::cylinder;
   CHECK_THROWS_AS(dem::Genesis(p), base::InputError);
 }

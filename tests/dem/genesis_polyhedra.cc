@@ -19,7 +19,7 @@ namespace
 {
   const double golden = 0.5 * (1 + std::sqrt(5.0));
 
-  std::vector<Vector3d> box(const Vector3d &edges)
+  std::vector<Vector3d> cuboid(const Vector3d &edges)
   {
     std::vector<Vector3d> all;
     for (const double x : {-0.5, 0.5})
@@ -38,7 +38,7 @@ namespace
   /** Twelve triangles' worth of pentagons: of edge 2/golden. */
   std::vector<Vector3d> dodecahedron()
   {
-    std::vector<Vector3d> all = box({2, 2, 2});
+    std::vector<Vector3d> all = cuboid({2, 2, 2});
     for (const double s : {-1.0, 1.0})
       for (const double t : {-1.0, 1.0})
         {
@@ -73,7 +73,7 @@ namespace
     return p;
   }
 
-  dem::LinearContactParameters stiff()
+  dem::LinearContactParameters stiff_grains()
   {
     dem::LinearContactParameters p;
     p.effective_modulus = 1e8;
@@ -83,7 +83,7 @@ namespace
   /** Filled, of a density, free of everything. */
   dem::Specimen free_body(const dem::Packing &packing, const dem::SpecimenParameters &p)
   {
-    const dem::LinkMaterials law(stiff());
+    const dem::LinkMaterials law(stiff_grains());
     dem::Specimen            made(packing, p, law);
     dem::add_packed_clumps(made, packing, law);
     return made;
@@ -107,7 +107,7 @@ TEST_CASE("volume, centre and inertia of polyhedra are those of closed forms, ho
   const double   s     = 2 / golden; // edge of the dodecahedron
   const Vector3d edges = {3, 1, 0.5};
   const Known    all[] = {
-       {box(edges), 1.5, Vector3d(1 + 0.25, 9 + 0.25, 9 + 1) / 12},
+       {cuboid(edges), 1.5, Vector3d(1 + 0.25, 9 + 0.25, 9 + 1) / 12},
        {tetrahedron(), std::pow(8, 1.5) / (6 * std::sqrt(2)), Vector3d::Constant(8.0 / 20)},
        {octahedron(), std::sqrt(2) / 3 * std::pow(2, 1.5), Vector3d::Constant(2.0 / 10)},
        {dodecahedron(), (15 + 7 * std::sqrt(5)) / 4 * s * s * s, Vector3d::Constant((39 * golden + 28) / 150 * s * s)}};
@@ -153,7 +153,7 @@ TEST_CASE("a polyhedron cut in two has the moments of its two parts", "[dem][clu
 TEST_CASE("corners that bound no convex body are refused by number", "[dem][clumps]")
 {
   const auto with = [](const Vector3d &more) {
-    auto corners = box({1, 1, 1});
+    auto corners = cuboid({1, 1, 1});
     corners.push_back(more);
     return corners;
   };
@@ -163,8 +163,8 @@ TEST_CASE("corners that bound no convex body are refused by number", "[dem][clum
   CHECK_THROWS_WITH(Polyhedron(with({0.5, 0.5, 0.5})), Contains("corner 8 and corner 9 are the same place"));
   CHECK_THROWS_WITH(Polyhedron({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}), Contains("at least 4 corners"));
   CHECK_THROWS_WITH(Polyhedron({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {0.5, 2, 0}}), Contains("in one plane"));
-  CHECK_THROWS_WITH(Polyhedron(box({1, 1, 5e-6})), Contains("the body is flat"));
-  CHECK_NOTHROW(Polyhedron(box({1, 1, 1e-3})));
+  CHECK_THROWS_WITH(Polyhedron(cuboid({1, 1, 5e-6})), Contains("the body is flat"));
+  CHECK_NOTHROW(Polyhedron(cuboid({1, 1, 1e-3})));
 }
 
 TEST_CASE("outlines that bound no convex polygon are refused by number, and run either way round", "[dem][clumps]")
@@ -191,7 +191,7 @@ TEST_CASE("pebbles fill a body wholly inside it, as many as the lattice lets, an
   const double r = 1e-3;
   for (const int n : {2, 3, 5})
     {
-      const dem::ConvexBody cube(box(Vector3d::Constant(2 * n * r)), 3);
+      const dem::ConvexBody cube(cuboid(Vector3d::Constant(2 * n * r)), 3);
       CHECK(dem::filled_with_pebbles(cube, r, dem::Filling::cubic).size() == static_cast<std::size_t>(n * n * n));
     }
   const dem::ConvexBody body(moved(dodecahedron(), turn_by({0.2, 0.5, -0.4}), {3, 1, 2}), 3);
@@ -225,7 +225,7 @@ TEST_CASE("a free prism of pebbles precesses as its own inertia says, not as the
 {
   // A symmetric top: its axis turns about the angular momentum at |L|/I_1, and keeps its angle with it.
   const double          a = 0.02, h = 0.05;
-  const dem::ConvexBody prism(box({a, a, h}), 3);
+  const dem::ConvexBody prism(cuboid({a, a, h}), 3);
   const auto            packing = dem::filled_with_pebbles(prism, 0.0024, dem::Filling::close);
   dem::Specimen         body    = free_body(packing, in_space(2000));
   const double          mass = 2000 * a * a * h, I1 = mass * (a * a + h * h) / 12, I3 = mass * a * a / 6;

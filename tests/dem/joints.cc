@@ -16,8 +16,6 @@ using Eigen::Vector3d;
 
 namespace
 {
-  constexpr double pi = 3.14159265358979323846;
-
   bool meets(const dem::JointPlane &joint, const Vector3d &one, const Vector3d &other, const int dimension)
   {
     Vector3d at;
@@ -70,9 +68,9 @@ TEST_CASE("extent of joints in a box is that of closed cases", "[dem][joints]")
   CHECK(dem::extent_in_box(joint, low, high, 2) == Approx(std::sqrt(2)));
   joint.radius = 0.25;
   joint.centre = {0.5, 0.5, 1};
-  CHECK(dem::extent_in_box(joint, low, high, 3) == Approx(pi / 16));
+  CHECK(dem::extent_in_box(joint, low, high, 3) == Approx(M_PI / 16));
   joint.centre = {0.5, 0.5, 0};
-  CHECK(dem::extent_in_box(joint, low, high, 3) == Approx(pi / 32));
+  CHECK(dem::extent_in_box(joint, low, high, 3) == Approx(M_PI / 32));
   joint.centre = {5, 5, 5};
   CHECK(dem::extent_in_box(joint, low, high, 3) == 0);
   CHECK(dem::extent_in_box(dem::segment_joint({-1, 1, 0}, {3, 1, 0}), low, high, 2) == Approx(1));
@@ -82,9 +80,9 @@ TEST_CASE("dips turn normals as geologists count them", "[dem][joints]")
 {
   CHECK((dem::normal_of_dip(0, 70, 3) - Vector3d(0, 0, 1)).norm() < 1e-15);
   CHECK((dem::normal_of_dip(90, 90, 3) - Vector3d(0, 1, 0)).norm() < 1e-15);
-  const Vector3d n = dem::normal_of_dip(30, 0, 3), steepest(std::cos(pi / 6), 0, -std::sin(pi / 6));
+  const Vector3d n = dem::normal_of_dip(30, 0, 3), steepest(std::cos(M_PI / 6), 0, -std::sin(M_PI / 6));
   CHECK(std::abs(n.dot(steepest)) < 1e-15);
-  CHECK(std::abs(dem::normal_of_dip(30, 0, 2).dot(Vector3d(std::cos(pi / 6), std::sin(pi / 6), 0))) < 1e-15);
+  CHECK(std::abs(dem::normal_of_dip(30, 0, 2).dot(Vector3d(std::cos(M_PI / 6), std::sin(M_PI / 6), 0))) < 1e-15);
 }
 
 TEST_CASE("a joint through a lattice cuts the links that cross it, which share its area", "[dem][joints]")
@@ -173,7 +171,7 @@ TEST_CASE("a joint all through an upright body has the section over the cosine o
         plane.normal       = dem::normal_of_dip(dip, 20, dimension);
         const auto area_of = [&](const dem::Packing &packing) {
           return dem::find_cuts(packing, {dimension, 1, 1.1, 0, packing.size()}, {plane}).of_joint[0].area *
-                 std::cos(dip * pi / 180);
+                 std::cos(dip * M_PI / 180);
         };
         const Vector3d edge = high - low;
         CHECK(area_of(body) == Approx(dimension == 2 ? edge.x() : edge.x() * edge.y()).epsilon(0.03));
@@ -210,7 +208,7 @@ TEST_CASE("random joints come to the prescribed intensity, and to Fisher's mean 
             worst = std::max(worst, std::abs(joint.normal.norm() - 1));
           }
         CHECK(worst < 1e-12);
-        CHECK(std::abs(sum - network.intensity) <= 0.5 * (dimension == 2 ? 0.2 : pi * 0.01) + 1e-12);
+        CHECK(std::abs(sum - network.intensity) <= 0.5 * (dimension == 2 ? 0.2 : M_PI * 0.01) + 1e-12);
         // Mean resultant length: coth k - 1/k on the sphere, I_1/I_0 on the circle; scatter of a mean of so many.
         const double expected = kappa == 0     ? 0.0 :
                                 dimension == 3 ? 1 / std::tanh(kappa) - 1 / kappa :

@@ -24,7 +24,7 @@ namespace
     return packing;
   }
 
-  dem::NetworkParameters links()
+  dem::NetworkParameters links_to_neighbours()
   {
     dem::NetworkParameters p;
     p.interaction_ratio = 1.5;
@@ -41,7 +41,7 @@ namespace
 
   Linked linked(const dem::Packing &packing)
   {
-    const dem::ElasticNetwork network = dem::make_network(packing, links());
+    const dem::ElasticNetwork network = dem::make_network(packing, links_to_neighbours());
     dem::SpecimenParameters   p       = cluster::bonded(1.5);
     p.physics.periodic                = true;
     const dem::Specimen specimen(packing, p, cluster::concrete());
@@ -83,7 +83,7 @@ TEST_CASE("links between neighbours at an exact tie are the same for any transla
 TEST_CASE("a free lattice touches everywhere or nowhere", "[dem][neighbours]")
 {
   // Ratio 1 means less than touching: no link at all, not those that rounding brings nearer.
-  dem::NetworkParameters p = links();
+  dem::NetworkParameters p = links_to_neighbours();
   p.interaction_ratio      = 1;
   dem::UniformRandom random(6);
   for (int trial = 0; trial < 20; ++trial)

@@ -100,7 +100,7 @@ TEST_CASE("ten thousand random directions return the tensor by the even form wit
 TEST_CASE("damage tensors turn with the directions", "[dem][measures]")
 {
   dem::UniformRandom    random(12);
-  const Eigen::Matrix3d Q     = random_rotation(random);
+  const Eigen::Matrix3d Q     = random_turn(random);
   auto                  links = imposed(random_symmetric(random), 25, 2);
   for (auto &l : links)
     l.damage = random(); // not exactly a tensor: what is left over must not spoil covariance

@@ -77,7 +77,7 @@ TEST_CASE("fabric is the mean of products, weighted, and turns with its directio
   dem::UniformRandom           random(4);
   std::vector<Eigen::Vector3d> n, turned;
   std::vector<double>          w;
-  const Eigen::Matrix3d        Q = random_rotation(random);
+  const Eigen::Matrix3d        Q = random_turn(random);
   for (int i = 0; i < 25; ++i)
     {
       n.push_back(random_direction(random));

@@ -30,7 +30,7 @@ namespace measures_fixture
       }
   }
 
-  inline Eigen::Matrix3d random_rotation(dem::UniformRandom &random)
+  inline Eigen::Matrix3d random_turn(dem::UniformRandom &random)
   {
     return Eigen::AngleAxisd(6 * random(), random_direction(random)).toRotationMatrix();
   }

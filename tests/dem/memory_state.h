@@ -2,13 +2,15 @@
 
 #include "base/state.h"
 
-#include <catch2/catch.hpp>
-
 #include <map>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
-/** A run's state in memory: written by one visitor, read back by the other; a name that is read must have been written. */
+/**
+ * A run's state in memory: written by one visitor, read back by the other; a name that is read must have been written, once.
+ * It throws where not, instead of asserting, as Catch2 asserts on one thread alone and ranks of tests are threads.
+ */
 struct MemoryState
 {
   std::map<std::string, base::Column>              columns;
@@ -35,8 +37,8 @@ struct MemoryState
     template <typename T>
     void put(std::map<std::string, T> &where, const std::string &name, const T &value)
     {
-      INFO("written twice: " << name);
-      REQUIRE(where.emplace(name, value).second);
+      if (!where.emplace(name, value).second)
+        throw std::logic_error("written twice: " + name);
     }
     MemoryState &m;
   };
@@ -60,12 +62,31 @@ struct MemoryState
     template <typename T>
     void get(const std::map<std::string, T> &where, const std::string &name, T &value)
     {
-      INFO("not written: " << name);
-      REQUIRE(where.count(name) == 1);
-      value = where.at(name);
+      const auto found = where.find(name);
+      if (found == where.end())
+        throw std::logic_error("not written: " + name);
+      value = found->second;
     }
     const MemoryState &m;
   };
+
+  /** The state of some things that visit_state() shows, in this order. */
+  template <typename... Parts>
+  static MemoryState of(Parts &...parts)
+  {
+    MemoryState memory;
+    Writer      writer(memory);
+    (parts.visit_state(writer), ...);
+    return memory;
+  }
+
+  /** What of() kept, back into the same things. */
+  template <typename... Parts>
+  void restore(Parts &...parts) const
+  {
+    Reader reader(*this);
+    (parts.visit_state(reader), ...);
+  }
 
   friend bool operator==(const MemoryState &a, const MemoryState &b)
   {

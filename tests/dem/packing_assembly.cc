@@ -13,8 +13,6 @@
 
 namespace
 {
-  const double pi = std::acos(-1.0);
-
   /** The cell does not change. */
   double still(double) { return 0; }
 
@@ -30,11 +28,11 @@ namespace
     dem::SpecimenParameters general;
     general.physics.damage    = false;
     general.physics.periodic  = true;
-    general.density           = 3.0 / (4.0 * pi);
+    general.density           = 3.0 / (4.0 * M_PI);
     general.interaction_ratio = 1;
     general.damping           = p.damping;
     dem::LinearContactParameters contact;
-    contact.effective_modulus    = 2.0 / pi;
+    contact.effective_modulus    = 2.0 / M_PI;
     contact.stiffness_ratio      = 1 / p.shear_ratio;
     contact.friction_coefficient = p.friction;
     dem::Specimen specimen(packing, general, contact);
@@ -73,7 +71,7 @@ TEST_CASE("two spheres that spin alike brake each other by the closed form of a 
   start.radius                   = {1.0, 1.0};
   start.periodic_cell            = Eigen::Vector3d(10, 10, 10);
   const Eigen::Vector3d axis     = Eigen::Vector3d(-0.8, 0.6, 1.0).normalized(); // perpendicular to the branch
-  const double          touching = pi / (2 * std::sqrt(2.0));
+  const double          touching = M_PI / (2 * std::sqrt(2.0));
   const double          sticking = 1 - 5.0 / 7.0 * (1 - std::cos(touching * std::sqrt(7 * k_s)));
 
   SECTION("sticking when friction is high")

@@ -16,8 +16,6 @@ using Catch::Contains;
 
 namespace
 {
-  const double pi = std::acos(-1.0);
-
   dem::CompactionParameters spheres(const std::size_t count, const double friction, const double damping)
   {
     dem::CompactionParameters p;
@@ -77,7 +75,7 @@ TEST_CASE("one sphere in its periodic cell is compacted to the closed form", "[d
   p.low_pressure  = 0.02;
   const auto   r  = dem::compact(p);
   const double s  = r.mean_overlap;
-  const double pf = pi / 6 / std::pow(1 - s, 3);
+  const double pf = M_PI / 6 / std::pow(1 - s, 3);
   REQUIRE(s / ((1 - s) * (1 - s)) == Approx(0.02).epsilon(0.01)); // the servo's tolerance
   REQUIRE(r.packing_fraction == Approx(pf).epsilon(1e-12));
   REQUIRE(r.coordination == 6.0);
@@ -120,7 +118,7 @@ TEST_CASE("what the compaction reports follows from the centres", "[dem][packing
   REQUIRE(r.unbalanced_ratio == Approx(known.unbalanced_ratio).epsilon(1e-6));
   REQUIRE(r.mean_overlap == Approx(known.overlap).epsilon(1e-9));
   REQUIRE(r.coordination == known.coordination);
-  REQUIRE(r.packing_fraction == Approx(500 * 4.0 / 3.0 * pi * 1e-9 / r.packing.periodic_cell->prod()).epsilon(1e-13));
+  REQUIRE(r.packing_fraction == Approx(500 * 4.0 / 3.0 * M_PI * 1e-9 / r.packing.periodic_cell->prod()).epsilon(1e-13));
   for (const Eigen::Vector3d &x : r.packing.centre)
     REQUIRE((x.minCoeff() >= 0 && (*r.packing.periodic_cell - x).minCoeff() >= 0));
 }
@@ -197,7 +195,7 @@ TEST_CASE("a large dense packing is isotropic", "[dem][packing][slow]")
       if (std::abs(n.z()) > 0.7)
         continue;
       const double angle = std::atan2(n.y(), n.x()); // a direction and its opposite are one
-      const double part  = (angle < 0 ? angle + pi : angle) / pi;
+      const double part  = (angle < 0 ? angle + M_PI : angle) / M_PI;
       count[std::min(31, static_cast<int>(32 * part))] += 1;
       total += 1;
     }

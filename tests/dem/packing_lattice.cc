@@ -17,13 +17,11 @@ namespace
     double             fraction; ///< of the volume, of the plane for discs
   };
 
-  const double pi = std::acos(-1.0);
-
-  const Known all[] = {{dem::Lattice::simple_cubic, {{3, 2, 4}}, 24, 6, pi / 6},
-                       {dem::Lattice::body_centred_cubic, {{2, 3, 2}}, 24, 8, pi *std::sqrt(3.0) / 8},
-                       {dem::Lattice::face_centred_cubic, {{2, 2, 1}}, 16, 12, pi / (3 * std::sqrt(2.0))},
-                       {dem::Lattice::square, {{4, 3, 1}}, 12, 4, pi / 4},
-                       {dem::Lattice::hexagonal, {{3, 2, 1}}, 12, 6, pi / (2 * std::sqrt(3.0))}};
+  const Known all[] = {{dem::Lattice::simple_cubic, {{3, 2, 4}}, 24, 6, M_PI / 6},
+                       {dem::Lattice::body_centred_cubic, {{2, 3, 2}}, 24, 8, M_PI *std::sqrt(3.0) / 8},
+                       {dem::Lattice::face_centred_cubic, {{2, 2, 1}}, 16, 12, M_PI / (3 * std::sqrt(2.0))},
+                       {dem::Lattice::square, {{4, 3, 1}}, 12, 4, M_PI / 4},
+                       {dem::Lattice::hexagonal, {{3, 2, 1}}, 12, 6, M_PI / (2 * std::sqrt(3.0))}};
 } // namespace
 
 TEST_CASE("lattices have their packing fraction and number of touching neighbours", "[dem][packing]")
@@ -35,7 +33,7 @@ TEST_CASE("lattices have their packing fraction and number of touching neighbour
       REQUIRE(packing.size() == known.particles);
       const Eigen::Vector3d cell     = *packing.periodic_cell;
       const bool            planar   = std::isinf(cell[2]);
-      const double          fraction = planar ? known.particles * pi * radius * radius / (cell[0] * cell[1]) :
+      const double          fraction = planar ? known.particles * M_PI * radius * radius / (cell[0] * cell[1]) :
                                                 dem::solid_volume(packing) / cell.prod();
       REQUIRE(fraction == Approx(known.fraction).epsilon(1e-13)); // rounding
 

@@ -13,9 +13,7 @@ using Catch::Contains;
 
 namespace
 {
-  const double pi = std::acos(-1.0);
-
-  dem::CompactionParameters spheres(const double friction)
+  dem::CompactionParameters spheres_of_friction(const double friction)
   {
     dem::CompactionParameters p;
     p.radius   = 1e-3;
@@ -47,7 +45,7 @@ namespace
 TEST_CASE("one sphere in its mould is compacted to the closed form", "[dem][packing]")
 {
   // Six plates press on it, each by k_n overlap: with s = overlap/r and edges 2 (1 - s), p 2r/k_n = s/(2 (1 - s)^2).
-  auto p            = spheres(0.5);
+  auto p            = spheres_of_friction(0.5);
   p.moulded         = true;
   p.count           = 1;
   p.low_pressure    = 0.02;
@@ -61,7 +59,7 @@ TEST_CASE("one sphere in its mould is compacted to the closed form", "[dem][pack
 
 TEST_CASE("a layer of spheres lies against each face of a moulded box, and none beyond", "[dem][packing]")
 {
-  const auto            p = spheres(1.0);
+  const auto            p = spheres_of_friction(1.0);
   const Eigen::Vector3d box(0.024, 0.016, 0.016);
   const dem::Packing    made = moulded(p, box);
   for (int d = 0; d < 3; ++d)
@@ -80,7 +78,7 @@ TEST_CASE("a layer of spheres lies against each face of a moulded box, and none 
 
 TEST_CASE("a moulded box holds what its inside would but for a fourteenth of a diameter at each face", "[dem][packing]")
 {
-  const auto            p = spheres(1.0);
+  const auto            p = spheres_of_friction(1.0);
   const Eigen::Vector3d box(0.02, 0.02, 0.02); // ten diameters
   const double          inside = dem::expected_packing_fraction(p.friction);
   const double          room   = std::pow(1 - 2 * 0.07 / 10, 3);
@@ -93,7 +91,7 @@ TEST_CASE("a moulded box holds what its inside would but for a fourteenth of a d
 
 TEST_CASE("the same parameters give the same moulded box", "[dem][packing]")
 {
-  auto                  p = spheres(0.5);
+  auto                  p = spheres_of_friction(0.5);
   const Eigen::Vector3d box(0.012, 0.01, 0.01);
   const auto            first = moulded(p, box);
   REQUIRE(first.centre == moulded(p, box).centre);
@@ -103,7 +101,8 @@ TEST_CASE("the same parameters give the same moulded box", "[dem][packing]")
 
 TEST_CASE("a moulded box without room for a sphere, or for too many, is refused", "[dem][packing]")
 {
-  REQUIRE_THROWS_AS(moulded(spheres(1), {0.02, 0.0019, 0.02}), base::InputError);
-  REQUIRE_THROWS_WITH(moulded(spheres(1), {0.02, 0.0019, 0.02}), Contains("0.0019 m") && Contains("radius 0.001 m"));
-  REQUIRE_THROWS_WITH(moulded(spheres(1), {2, 2, 2}), Contains("1e8") && Contains("units"));
+  REQUIRE_THROWS_AS(moulded(spheres_of_friction(1), {0.02, 0.0019, 0.02}), base::InputError);
+  REQUIRE_THROWS_WITH(moulded(spheres_of_friction(1), {0.02, 0.0019, 0.02}),
+                      Contains("0.0019 m") && Contains("radius 0.001 m"));
+  REQUIRE_THROWS_WITH(moulded(spheres_of_friction(1), {2, 2, 2}), Contains("1e8") && Contains("units"));
 }

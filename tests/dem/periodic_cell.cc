@@ -2,6 +2,7 @@
 #include "dem/measures/couple_stress.h"
 #include "dem/measures/stress.h"
 #include "periodic_cell_fixture.h"
+#include "tests/dem/memory_state.h"
 
 #include <catch2/catch.hpp>
 
@@ -321,20 +322,19 @@ TEST_CASE("a cell goes on from a saved state to the same bits, with any number o
     dem::Specimen specimen = make();
     dem::CellTest test(specimen, path(specimen));
     test.advance(150), test.advance(270);
-    specimen.visit_state(saved), test.visit_state(saved);
+    saved = MemoryState::of(specimen, test);
     test.advance(50), test.advance(30);
     REQUIRE(specimen.counts().contacts > 0);
     REQUIRE(specimen.counts().broken > 0);
-    specimen.visit_state(whole), test.visit_state(whole);
+    whole = MemoryState::of(specimen, test);
   }
   omp_set_num_threads(2);
   {
     dem::Specimen specimen = make();
     dem::CellTest test(specimen, path(specimen));
-    saved.reading = true;
-    specimen.visit_state(saved), test.visit_state(saved);
+    saved.restore(specimen, test);
     test.advance(50), test.advance(30);
-    specimen.visit_state(resumed), test.visit_state(resumed);
+    resumed = MemoryState::of(specimen, test);
   }
   omp_set_num_threads(threads);
   REQUIRE(resumed == whole);

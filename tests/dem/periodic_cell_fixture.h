@@ -8,7 +8,6 @@
 #include <Eigen/Dense>
 
 #include <cmath>
-#include <map>
 #include <string>
 #include <vector>
 
@@ -189,37 +188,4 @@ namespace periodic_fixture
       }
     return column;
   }
-
-  /** Keeps a state in memory: what a checkpoint does on disk. */
-  class MemoryState : public base::StateVisitor
-  {
-  public:
-    bool reading = false;
-
-    void column(const std::string &name, base::Column &values) override { keep(columns, name, values); }
-    void column(const std::string &name, std::vector<std::int32_t> &values) override { keep(integers, name, values); }
-    void scalar(const std::string &name, double &value) override { keep(numbers, name, value); }
-    void scalar(const std::string &name, std::int64_t &value) override { keep(counts, name, value); }
-
-    bool operator==(const MemoryState &other) const
-    {
-      return columns == other.columns && integers == other.integers && numbers == other.numbers &&
-             counts == other.counts;
-    }
-
-  private:
-    template <typename Value>
-    void keep(std::map<std::string, Value> &items, const std::string &name, Value &value)
-    {
-      if (reading)
-        value = items.at(name);
-      else
-        items[name] = value;
-    }
-
-    std::map<std::string, base::Column>              columns;
-    std::map<std::string, std::vector<std::int32_t>> integers;
-    std::map<std::string, double>                    numbers;
-    std::map<std::string, std::int64_t>              counts;
-  };
 } // namespace periodic_fixture

@@ -31,7 +31,7 @@ namespace
     return std::make_shared<dem::LoadedNetwork>(dem::strained_cell(dem::make_network(packing, p, law)));
   }
 
-  dem::CellResponseParameters tight()
+  dem::CellResponseParameters tight_control()
   {
     dem::CellResponseParameters p;
     p.tolerance = 1e-12;
@@ -62,7 +62,7 @@ TEST_CASE("responding cell: an elastic step gives the relaxed stiffness, and the
 {
   const auto          cell = random_cell(concrete());
   const base::Matrix6 D    = dem::relaxed_stiffness(cell->network).stiffness;
-  dem::RespondingCell point(cell, concrete(), tight());
+  dem::RespondingCell point(cell, concrete(), tight_control());
   const base::Vector6 strain = mixed(2e-5);
   const auto          answer = point.respond(strain);
   CHECK(relative_difference(answer.tangent, D) < 1e-10);
@@ -79,7 +79,7 @@ TEST_CASE("responding cell: in the plane too, where only in-plane strains exist"
 {
   const auto          cell = random_cell(concrete(), 2);
   const base::Matrix6 D    = dem::relaxed_stiffness(cell->network).stiffness;
-  dem::RespondingCell point(cell, concrete(), tight());
+  dem::RespondingCell point(cell, concrete(), tight_control());
   base::Vector6       strain = base::Vector6::Zero();
   strain << 2e-5, -1e-5, 0, 0, 0, 1e-5;
   const auto answer = point.respond(strain);
@@ -96,7 +96,7 @@ TEST_CASE("responding cell: strained in steps it follows the quasi-static path o
   p.end_strain  = 4e-4;
   p.tolerance   = 1e-11;
   dem::QuasiStaticPath path(*cell, concrete(), p);
-  dem::RespondingCell  point(cell, concrete(), tight());
+  dem::RespondingCell  point(cell, concrete(), tight_control());
   std::size_t          compared = 0;
   while (!path.finished())
     {
@@ -119,7 +119,7 @@ TEST_CASE("responding cell: the tangent is the derivative, with damage and slidi
 {
   for (const double sign : {1.0, -1.0})
     {
-      dem::RespondingCell point(random_cell(concrete()), concrete(), tight());
+      dem::RespondingCell point(random_cell(concrete()), concrete(), tight_control());
       point.respond(mixed(sign * 2e-4));
       point.commit();
       const base::Vector6 strain = mixed(sign * 2.3e-4);
@@ -178,7 +178,7 @@ TEST_CASE("responding cell: a trial leaves no trace, a copy and a restored state
 TEST_CASE("responding cell: Newton's method on its stress converges with the square of the error", "[dem][statics]")
 {
   // Uniaxial stress: the other five components are to vanish, as for a point of a structure; damage is under way.
-  dem::RespondingCell point(random_cell(concrete()), concrete(), tight());
+  dem::RespondingCell point(random_cell(concrete()), concrete(), tight_control());
   base::Vector6       strain = base::Vector6::Zero();
   std::vector<double> error;
   int                 parts = 0;
@@ -269,7 +269,7 @@ TEST_CASE("responding cell: once it has fallen in a step its answers are smooth,
 TEST_CASE("responding cell: where a step was taken in parts strains near by are sought from the last, and are as good",
           "[dem][statics]")
 {
-  dem::CellResponseParameters keeps = tight();
+  dem::CellResponseParameters keeps = tight_control();
   keeps.keeps_its_way               = true;
   dem::RespondingCell cell(random_cell(concrete()), concrete(), keeps);
   cell.respond(mixed(1e-4));

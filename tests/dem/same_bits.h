@@ -16,30 +16,23 @@
 template <typename Make>
 void check_same_bits(const Make &made, const int first, const int further, const std::size_t broken)
 {
-  const auto state_of = [](dem::Specimen &specimen) {
-    MemoryState         memory;
-    MemoryState::Writer writer(memory);
-    specimen.visit_state(writer);
-    return memory;
-  };
   omp_set_num_threads(1);
   dem::Specimen one = made();
   one.advance(first);
-  MemoryState half = state_of(one);
+  const MemoryState half = MemoryState::of(one);
   one.advance(further);
   REQUIRE(one.counts().broken >= broken);
-  const MemoryState end = state_of(one);
+  const MemoryState end = MemoryState::of(one);
   for (const int threads : {2, 3, 4})
     {
       omp_set_num_threads(threads);
       dem::Specimen several = made();
       several.advance(first + further);
-      CHECK(state_of(several) == end);
+      CHECK(MemoryState::of(several) == end);
     }
   omp_set_num_threads(1);
-  dem::Specimen       resumed = made();
-  MemoryState::Reader reader(half);
-  resumed.visit_state(reader);
+  dem::Specimen resumed = made();
+  half.restore(resumed);
   resumed.advance(further);
-  CHECK(state_of(resumed) == end);
+  CHECK(MemoryState::of(resumed) == end);
 }

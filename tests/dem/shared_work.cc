@@ -4,6 +4,7 @@
 #include "dem/specimen/core.h"
 #include "dem/specimen/rank_shares.h"
 #include "dem/specimen/specimen.h"
+#include "memory_state.h"
 #include "periodic_cell_fixture.h"
 #include "rank_threads.h"
 #include "shared_bodies.h"
@@ -403,16 +404,13 @@ TEST_CASE("ranks that search for links and contacts together make the specimen o
       const dem::Counts counts = alone.counts();
       CHECK(counts.links >= made.links);
       CHECK((counts.deepest_overlap > 0) == made.overlap);
-      periodic_fixture::MemoryState whole;
-      alone.visit_state(whole);
+      const MemoryState whole = MemoryState::of(alone);
       for (const std::size_t count : {2, 3, 5})
         {
           std::vector<char> same(count, 0);
           rank_threads::run(count, [&](const std::shared_ptr<dem::Ranks> &ranks) {
-            dem::Specimen                 body(made.packing, made.parameters, made.materials, ranks.get());
-            periodic_fixture::MemoryState state;
-            body.visit_state(state);
-            same[ranks->rank()] = state == whole && body.time_step() == alone.time_step();
+            dem::Specimen body(made.packing, made.parameters, made.materials, ranks.get());
+            same[ranks->rank()] = MemoryState::of(body) == whole && body.time_step() == alone.time_step();
           });
           INFO(made.name << " on " << count << " ranks");
           CHECK(same == std::vector<char>(count, 1));

@@ -14,7 +14,7 @@ using laboratory::R;
 
 namespace
 {
-  dem::SmoothJointParameters joint_of(const double friction)
+  dem::SmoothJointParameters rough_joint(const double friction)
   {
     dem::SmoothJointParameters p;
     p.normal_stiffness     = 4e12;
@@ -24,7 +24,7 @@ namespace
   }
 
   /** Bonds that nothing breaks, and that hold particles from rolling. */
-  dem::FlatJointParameters rock(const double modulus)
+  dem::FlatJointParameters unbreakable_rock(const double modulus)
   {
     dem::FlatJointParameters p = laboratory::strong();
     p.effective_modulus        = modulus;
@@ -100,15 +100,16 @@ namespace
   constexpr double degree = M_PI / 180;
 } // namespace
 
-TEST_CASE("joint in equilibrium: a column is as soft as its rock and its joint in a row", "[dem][laws][statics]")
+TEST_CASE("joint in equilibrium: a column is as soft as its unbreakable_rock and its joint in a row",
+          "[dem][laws][statics]")
 {
   const int    across = 4, along = 9;
   dem::Packing column = cluster::cubic_lattice(across, across, along + 1, R);
-  auto         joint  = joint_of(0.6);
+  auto         joint  = rough_joint(0.6);
   joint.cohesion = joint.tensile_strength = 1e12;
   const double modulus = 20e9, approach = 1e-6;
   const auto   figures = cut(column, 3, 0, joint);
-  const Column body(column, dem::LinkMaterials(rock(modulus)).with_joints(std::vector{joint}), 3, false);
+  const Column body(column, dem::LinkMaterials(unbreakable_rock(modulus)).with_joints(std::vector{joint}), 3, false);
   REQUIRE(figures.links == across * across);
   const double springs  = across * across * modulus * M_PI * R * R / (2 * R);
   const double expected = approach / ((along - 1) / springs + 1 / (joint.normal_stiffness * figures.area));
@@ -126,10 +127,10 @@ TEST_CASE("joint in equilibrium: stiff blocks stick, slide at the Coulomb limit 
       {
         INFO("friction " << friction << ", dilation " << dilation);
         dem::Packing column  = laboratory::crystal(10, 14);
-        auto         joint   = joint_of(friction);
+        auto         joint   = rough_joint(friction);
         joint.dilation_angle = dilation;
         const auto   figures = cut(column, 2, dip, joint);
-        const Column body(column, dem::LinkMaterials(rock(rigid)).with_joints(std::vector{joint}), 2, true);
+        const Column body(column, dem::LinkMaterials(unbreakable_rock(rigid)).with_joints(std::vector{joint}), 2, true);
         const double k_n = joint.normal_stiffness, k_s = joint.shear_stiffness, tan_psi = std::tan(dilation * degree);
         const double slid = std::max(0.0, (k_s * slip - friction * k_n * normal) / (k_s + friction * k_n * tan_psi));
         const double pressure = k_n * (normal + tan_psi * slid), shear = k_s * (slip - slid);
@@ -147,12 +148,12 @@ TEST_CASE("joint in equilibrium: stiff blocks stick, slide at the Coulomb limit 
 TEST_CASE("joint in equilibrium: a bonded joint tears at its tensile strength and carries nothing then",
           "[dem][laws][statics]")
 {
-  dem::Packing column            = laboratory::crystal(8, 12);
-  auto         joint             = joint_of(0.6);
-  joint.tensile_strength         = 2e6;
-  joint.cohesion                 = 1e12;
-  const auto             figures = cut(column, 2, 0, joint);
-  const Column           body(column, dem::LinkMaterials(rock(rigid)).with_joints(std::vector{joint}), 2, true);
+  dem::Packing column    = laboratory::crystal(8, 12);
+  auto         joint     = rough_joint(0.6);
+  joint.tensile_strength = 2e6;
+  joint.cohesion         = 1e12;
+  const auto   figures   = cut(column, 2, 0, joint);
+  const Column body(column, dem::LinkMaterials(unbreakable_rock(rigid)).with_joints(std::vector{joint}), 2, true);
   const Column::Followed found = body.press(-1e-6); // torn at half of it
   const double           force = joint.tensile_strength * figures.area;
   CHECK(std::fabs(found.force) < 1e-3 * force);
@@ -194,12 +195,12 @@ TEST_CASE("joint in equilibrium: a jointed column bears what it bears in motion,
           "[dem][laws][statics]")
 {
   dem::Packing column  = laboratory::crystal(6, 11, 0.05);
-  auto         joint   = joint_of(0.4);
+  auto         joint   = rough_joint(0.4);
   joint.dilation_angle = 6;
   cut(column, 2, 40, joint);
-  const Column           body(column, dem::LinkMaterials(rock(20e9)).with_joints(std::vector{joint}), 2, true);
-  constexpr double       approach = 2e-6;
-  const Column::Followed still    = body.press(approach);
+  const Column     body(column, dem::LinkMaterials(unbreakable_rock(20e9)).with_joints(std::vector{joint}), 2, true);
+  constexpr double approach    = 2e-6;
+  const Column::Followed still = body.press(approach);
   CHECK(still.end.friction > 0);
   const Rested fast = rested(column, body.law, approach, 6000), slow = rested(column, body.law, approach, 12000);
   // What the speed adds falls in proportion to it.
@@ -211,13 +212,14 @@ TEST_CASE("joint in equilibrium: a jointed column bears what it bears in motion,
 TEST_CASE("joint in equilibrium: contacts that wait are refused beside joints", "[dem][laws][statics]")
 {
   dem::Packing column = laboratory::crystal(4, 6);
-  auto         joint  = joint_of(0.4);
+  auto         joint  = rough_joint(0.4);
   cut(column, 2, 0, joint);
   dem::NetworkParameters links;
   links.dimension         = 2;
   links.thickness         = 1;
   links.interaction_ratio = 1.1;
   links.contact_reach     = 0.5;
-  CHECK_THROWS_AS(dem::make_network(column, links, dem::LinkMaterials(rock(1e9)).with_joints(std::vector{joint})),
-                  base::InputError);
+  CHECK_THROWS_AS(
+    dem::make_network(column, links, dem::LinkMaterials(unbreakable_rock(1e9)).with_joints(std::vector{joint})),
+    base::InputError);
 }

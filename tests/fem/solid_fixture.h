@@ -19,6 +19,9 @@ inline fem::IsotropicElastic elastic(const double young, const double poisson)
   return fem::IsotropicElastic(p);
 }
 
+/// What is held: a value of zero wherever and whenever.
+inline const auto zero = [](const auto & /* place */, const double /* time */) { return 0.0; };
+
 /// A box with boundaries named 0 (x low), 1 (x high), 2, 3, 4, 5.
 template <int dim>
 fem::BuildMesh<dim> box(const dealii::Point<dim>        &low,

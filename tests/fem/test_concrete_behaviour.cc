@@ -10,8 +10,6 @@ using base::Voigt;
 
 namespace
 {
-  const double pi = std::acos(-1.0);
-
   /// One step in which strain 1 is given, stress 2 is a share of stress 1 and stress 3 vanishes: Newton on strains 2 and 3.
   fem::Response<fem::DamagePlasticState> proportional_step(const fem::DamagePlasticConcrete &law,
                                                            const fem::DamagePlasticState    &from,

@@ -21,7 +21,7 @@ namespace
     return extent;
   }
 
-  fem::ElementExtent box(const double x, const double y, const double z, const Eigen::Matrix3d &turned)
+  fem::ElementExtent brick(const double x, const double y, const double z, const Eigen::Matrix3d &turned)
   {
     std::vector<Vector3d> vertices;
     for (int v = 0; v < 8; ++v)
@@ -33,8 +33,8 @@ namespace
 TEST_CASE("the least extent of an element is its width across faces or edges, however it is turned", "[fem]")
 {
   const Eigen::Matrix3d turned = Eigen::AngleAxisd(0.7, Vector3d(1, 2, 3).normalized()).toRotationMatrix();
-  CHECK(fem::least_extent(box(2, 1, 3, Eigen::Matrix3d::Identity())) == Approx(1));
-  CHECK(fem::least_extent(box(2, 1, 3, turned)) == Approx(1));
+  CHECK(fem::least_extent(brick(2, 1, 3, Eigen::Matrix3d::Identity())) == Approx(1));
+  CHECK(fem::least_extent(brick(2, 1, 3, turned)) == Approx(1));
   // A regular tetrahedron of edge sqrt(2): narrowest across two opposite edges.
   CHECK(fem::least_extent(element({{0, 0, 0}, {1, 1, 0}, {1, 0, 1}, {0, 1, 1}})) == Approx(1));
   // In the plane: a square, and a right triangle of legs 3 and 4, narrowest across its hypotenuse.

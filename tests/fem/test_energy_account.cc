@@ -10,8 +10,6 @@ using namespace dealii;
 
 namespace
 {
-  const auto zero = [](const Point<2> &, double) { return 0.0; };
-
   struct Account
   {
     double           work = 0, stored = 0;

@@ -8,8 +8,6 @@ using fem::LinearMethod;
 
 namespace
 {
-  const auto zero = [](const Point<3> &, double) { return 0.0; };
-
   /// Clamped at x = 0 but for a lift of its end, pulled and pressed elsewhere.
   template <int dim>
   fem::Loads<dim> mixed_loads()

@@ -22,8 +22,6 @@ namespace
     return p;
   }
 
-  const auto zero = [](const Point<2> &, double) { return 0.0; };
-
   constexpr double length = 0.1, height = 0.005;
 
   /// A bar with a waist in its middle, whose depth does not depend on the mesh.

@@ -10,8 +10,6 @@ using fem::ElementFamily;
 
 namespace
 {
-  const auto zero = [](const Point<3> &, double) { return 0.0; };
-
   fem::Loads<3> twist()
   {
     fem::Loads<3> loads;

@@ -20,10 +20,10 @@ namespace
   }
 
   /// One point, which goes from strain to strain.
-  class Point
+  class DrivenPoint
   {
   public:
-    explicit Point(const Law &law)
+    explicit DrivenPoint(const Law &law)
       : points(fem::make_points(law, fem::Plane::stress))
     {
       points->allocate(1);
@@ -63,7 +63,7 @@ namespace
     }
 
     /// Goes on from where another is.
-    void stand_where(Point &other)
+    void stand_where(DrivenPoint &other)
     {
       std::vector<double> all;
       other.points->visit(0, [&](const fem::PointQuantity &of, const double *values) {
@@ -96,9 +96,9 @@ TEST_CASE("plane stress: 10000 random steps of a solid's points end within 2 % o
   double worst    = 0;
   for (int i = 0; i < 10000; ++i)
     {
-      const auto p = any_concrete(random);
-      const Law  law(p);
-      Point      point(law), before(law), fine(law);
+      const auto  p = any_concrete(random);
+      const Law   law(p);
+      DrivenPoint point(law), before(law), fine(law);
       if (random.one_in(3)) // from a history that has yielded or softened
         try
           {

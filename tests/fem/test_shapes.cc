@@ -122,8 +122,7 @@ TEST_CASE(
   "a ball has its volume whatever its elements, and its nodes lie on the sphere to the square of their distance",
   "[fem]")
 {
-  const double pi = 3.14159265358979323846;
-  double       off[2];
+  double off[2];
   for (const unsigned int divisions : {4u, 8u})
     for (const double fineness : {1.0, 3.0, 40.0})
       {
@@ -144,7 +143,7 @@ TEST_CASE(
                 }
           }
         CAPTURE(divisions, fineness);
-        CHECK(volume == Approx(4.0 / 3.0 * pi * 0.125).epsilon(1e-8));
+        CHECK(volume == Approx(4.0 / 3.0 * M_PI * 0.125).epsilon(1e-8));
         CHECK(farthest < 0.026 * ball.radius); // a sixth of the square of their distance, at four of them
       }
   CHECK(std::log2(off[0] / off[1]) == Approx(2).margin(0.1));

@@ -21,8 +21,6 @@ namespace
     };
   }
 
-  const auto zero = [](const Point<2> &, double) { return 0.0; };
-
   /// A bar of so many elements, pulled at its end by the time; the middle one has 99 % of the others' strength.
   struct WeakBar
   {

@@ -11,8 +11,7 @@ using optimisation::GeneticOptions;
 
 namespace
 {
-  constexpr double pi        = 3.14159265358979323846;
-  constexpr int    variables = 7;
+  constexpr int variables = 7;
 
   /** From the unit cube to (-5.12, 5.12), the minimum moved away from the middle. */
   Eigen::ArrayXd from_minimum(const Eigen::VectorXd &cube) { return 10.24 * cube.array() - 5.12 - 1.3; }
@@ -22,7 +21,7 @@ namespace
   double rastrigin(const Eigen::VectorXd &cube)
   {
     const Eigen::ArrayXd x = from_minimum(cube);
-    return 10.0 * variables + (x.square() - 10 * (2 * pi * x).cos()).sum();
+    return 10.0 * variables + (x.square() - 10 * (2 * M_PI * x).cos()).sum();
   }
 } // namespace
 

@@ -12,9 +12,9 @@ using namespace optimisation;
 
 namespace
 {
-  using Model = std::function<std::optional<Eigen::VectorXd>(const Eigen::VectorXd &)>;
+  using CurveModel = std::function<std::optional<Eigen::VectorXd>(const Eigen::VectorXd &)>;
 
-  Residuals one_by_one(const Model &model)
+  Residuals one_by_one(const CurveModel &model)
   {
     return [model](const std::vector<Eigen::VectorXd> &places) {
       std::vector<std::optional<Eigen::VectorXd>> all;
@@ -24,7 +24,7 @@ namespace
     };
   }
 
-  LeastSquaresProblem problem_of(const Eigen::VectorXd &start, const Model &model, const double step)
+  LeastSquaresProblem curve_problem(const Eigen::VectorXd &start, const CurveModel &model, const double step)
   {
     const Eigen::VectorXd infinite = Eigen::VectorXd::Constant(start.size(), INFINITY);
     return {start, -infinite, infinite, Eigen::VectorXd::Constant(start.size(), step), one_by_one(model)};
@@ -61,7 +61,7 @@ TEST_CASE("least squares: Rosenbrock's valley is followed to its end, with updat
 {
   LeastSquaresOptions options;
   options.updated_jacobian  = GENERATE(false, true);
-  const LeastSquaresFit fit = least_squares(problem_of(Eigen::Vector2d(-1.2, 1), rosenbrock, 1e-6), options);
+  const LeastSquaresFit fit = least_squares(curve_problem(Eigen::Vector2d(-1.2, 1), rosenbrock, 1e-6), options);
   INFO(fit.ending);
   CHECK(fit.converged);
   CHECK(std::fabs(fit.place[0] - 1) < 1e-6);
@@ -75,7 +75,7 @@ TEST_CASE("least squares: a solution on a bound lies on it, and no place beyond 
     outside = outside || x[0] > 0.5 || x[1] < -2;
     return rosenbrock(x);
   };
-  LeastSquaresProblem problem = problem_of(Eigen::Vector2d(-1.2, 1), watched, 1e-4);
+  LeastSquaresProblem problem = curve_problem(Eigen::Vector2d(-1.2, 1), watched, 1e-4);
   problem.upper[0]            = 0.5;
   problem.lower[1]            = -2;
   LeastSquaresOptions options;
@@ -95,7 +95,7 @@ TEST_CASE("least squares: places without an answer shorten the step and do not e
       return std::nullopt;
     return rosenbrock(x);
   };
-  const LeastSquaresFit fit = least_squares(problem_of(Eigen::Vector2d(-1.2, 1), broken, 1e-6), {});
+  const LeastSquaresFit fit = least_squares(curve_problem(Eigen::Vector2d(-1.2, 1), broken, 1e-6), {});
   CHECK(fit.failed == requested);
   CHECK(requested > 0);
   CHECK(fit.sum_of_squares() < rosenbrock(Eigen::Vector2d(-1.2, 1))->squaredNorm() / 2);
@@ -112,7 +112,7 @@ TEST_CASE("least squares: six constants of two curves with two percent of noise 
   LeastSquaresOptions options;
   options.central_differences = true;
   const LeastSquaresFit fit   = least_squares(
-      problem_of(
+      curve_problem(
         far_start, [&observed](const Eigen::VectorXd &c) { return std::optional<Eigen::VectorXd>(curves(c) - observed); },
         1e-5),
       options);
@@ -137,11 +137,11 @@ TEST_CASE("least squares: updates take fewer evaluations than differences alone,
   };
   LeastSquaresOptions options;
   options.smallest_sum = 1e-4 * observed.squaredNorm();
-  const int plain      = least_squares(problem_of(far_start, model, 1e-5), options).evaluations;
+  const int plain      = least_squares(curve_problem(far_start, model, 1e-5), options).evaluations;
   CHECK(int(places.size()) == plain);
   places.clear();
   options.updated_jacobian = true;
-  const int updated        = least_squares(problem_of(far_start, model, 1e-5), options).evaluations;
+  const int updated        = least_squares(curve_problem(far_start, model, 1e-5), options).evaluations;
   INFO(updated << " against " << plain);
   CHECK(updated < plain);
 }
@@ -176,11 +176,11 @@ TEST_CASE("least squares: in noise it ends where steps become much shorter than 
 
 TEST_CASE("least squares: what cannot be searched is refused", "[optimisation]")
 {
-  LeastSquaresProblem outside = problem_of(Eigen::Vector2d(-1.2, 1), rosenbrock, 1e-6);
+  LeastSquaresProblem outside = curve_problem(Eigen::Vector2d(-1.2, 1), rosenbrock, 1e-6);
   outside.lower[0]            = 0;
   CHECK_THROWS_AS(least_squares(outside, {}), base::InputError);
   const auto none = [](const Eigen::VectorXd &) { return std::optional<Eigen::VectorXd>(); };
-  CHECK_THROWS_AS(least_squares(problem_of(Eigen::Vector2d(0, 0), none, 1), {}), base::InputError);
+  CHECK_THROWS_AS(least_squares(curve_problem(Eigen::Vector2d(0, 0), none, 1), {}), base::InputError);
   const auto one = [](const Eigen::VectorXd &) { return std::optional<Eigen::VectorXd>(Eigen::VectorXd::Ones(1)); };
-  CHECK_THROWS_AS(least_squares(problem_of(Eigen::Vector2d(0, 0), one, 1), {}), base::InputError);
+  CHECK_THROWS_AS(least_squares(curve_problem(Eigen::Vector2d(0, 0), one, 1), {}), base::InputError);
 }

@@ -9,7 +9,6 @@ using namespace statistics;
 
 namespace
 {
-  constexpr double pi = 3.14159265358979323846;
 }
 
 TEST_CASE("distributions: F of two and of any degrees is its closed form", "[statistics]")
@@ -29,7 +28,7 @@ TEST_CASE("distributions: t of one and of two degrees is its closed form, and F 
   for (const double t : {0.25, 1.0, 2.5, 12.706, 63.657})
     {
       INFO(t);
-      CHECK(std::fabs(t_probability_beyond(t, 1) - 2 / pi * std::atan(1 / t)) < 1e-14);
+      CHECK(std::fabs(t_probability_beyond(t, 1) - 2 / M_PI * std::atan(1 / t)) < 1e-14);
       CHECK(std::fabs(t_probability_beyond(-t, 2) - (1 - t / std::sqrt(2 + t * t))) < 1e-14);
       for (const double degrees : {3.0, 7.0, 35.0, 200.0})
         CHECK(std::fabs(f_probability_above(t * t, 1, degrees) - t_probability_beyond(t, degrees)) < 1e-14);
