@@ -341,7 +341,7 @@ namespace
     const double density = summary["energy"]["stored"].get<double>() / (0.04 * 0.04 * 0.04) / 1e-8;
     std::smatch  found;
     const bool   mixed = std::regex_search(outcome.err, found, std::regex("; ([0-9]+) of ([0-9]+) elements"));
-    REQUIRE(mixed == content > 0);
+    REQUIRE(mixed == (content > 0));
     return {density / (sheared ? 2 : 4.5), mixed ? std::stod(found[1]) / std::stod(found[2]) : 0};
   }
 } // namespace

@@ -81,16 +81,23 @@ namespace apps_tests
     CHECK(occurrences(named, said) == 1);
   }
 
-  /** Interrupted on three ranks, a run goes on on one and on five to what it gives without. Only the first writes checkpoints. */
-  inline void goes_on_on_others(const std::string &words)
+  /** Interrupted on three ranks, a run goes on on one and on others to what it gives without. Only the first writes checkpoints. */
+  inline void goes_on_on_others(const std::string &words, const std::vector<int> &others = {5})
   {
     const ScratchFolder folder;
     REQUIRE(shell_in(folder, program_on(0, 1) + words + " -o whole") == 0);
     interrupt_on_three(folder, words);
-    std::filesystem::copy(folder / "results", folder / "others", std::filesystem::copy_options::recursive);
-    REQUIRE(shell_in(folder, program_on(0, 2) + words + " -o results --resume") == 0);
-    CHECK(differences(folder / "whole", folder / "results") == std::vector<std::string>());
-    REQUIRE(shell_in(folder, program_on(5, 1) + words + " -o others --resume") == 0);
-    CHECK(differences(folder / "whole", folder / "others") == std::vector<std::string>());
+    const auto goes_on = [&](const int ranks, const int threads, const std::string &results) {
+      INFO(ranks << " ranks");
+      REQUIRE(shell_in(folder, program_on(ranks, threads) + words + " -o " + results + " --resume") == 0);
+      CHECK(differences(folder / "whole", folder / results) == std::vector<std::string>());
+    };
+    for (const int ranks : others)
+      {
+        const std::string results = "on_" + std::to_string(ranks);
+        std::filesystem::copy(folder / "results", folder / results, std::filesystem::copy_options::recursive);
+        goes_on(ranks, 1, results);
+      }
+    goes_on(0, 2, "results");
   }
 } // namespace apps_tests

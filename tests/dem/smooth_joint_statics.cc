@@ -100,7 +100,7 @@ namespace
   constexpr double degree = M_PI / 180;
 } // namespace
 
-TEST_CASE("joint in equilibrium: a column is as soft as its unbreakable_rock and its joint in a row",
+TEST_CASE("joint in equilibrium: a column is as soft as its rock and its joint in a row",
           "[dem][laws][statics]")
 {
   const int    across = 4, along = 9;
