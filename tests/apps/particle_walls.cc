@@ -100,13 +100,20 @@ $Elements
 1 3 2 1 1 1 2 3 4
 $EndElements
 )");
-  const double        mass = 2500 * 4.0 / 3 * M_PI * 1e-6;
-  const std::string   wall = "Walls/floor/";
+  const double      mass = 2500 * 4.0 / 3 * M_PI * 1e-6;
+  const std::string wall = "Walls/floor/";
+  // A box whose upper side would lie in the ball
+  const auto through_ball = [&](const std::string &open) {
+    return std::vector<std::string>{wall + "Shape=box", wall + "Lower=-1, -1, 0", wall + "Upper=1, 1, 0.015",
+                                    wall + "Open sides=" + open};
+  };
   std::vector<double> heights;
   for (const std::vector<std::string> &changes :
        std::vector<std::vector<std::string>>{{},
                                              {wall + "Shape=plane"},
                                              {wall + "Shape=box", wall + "Lower=-1, -1, -1", wall + "Upper=1, 1, 0"},
+                                             through_ball("+z"),
+                                             through_ball("z max"),
                                              {wall + "Shape=file", wall + "File=floor.stl", wall + "Scale=1e-3"},
                                              {wall + "Shape=file", wall + "File=floor.msh"}})
     {

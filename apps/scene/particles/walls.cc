@@ -56,9 +56,21 @@ namespace apps
       s.vector("Upper", wall.upper, "m", Range(), Need::required)
         .means("Corner of the box with the largest coordinates")
         .only_if(chosen);
-      s.choices("Open sides", wall.open, {{"-x", 0}, {"+x", 1}, {"-y", 2}, {"+y", 3}, {"-z", 4}, {"+z", 5}},
+      s.choices("Open sides", wall.open,
+                {{"-x", 0},
+                 {"+x", 1},
+                 {"-y", 2},
+                 {"+y", 3},
+                 {"-z", 4},
+                 {"+z", 5},
+                 {"x min", 0},
+                 {"x max", 1},
+                 {"y min", 2},
+                 {"y max", 3},
+                 {"z min", 4},
+                 {"z max", 5}},
                 Need::optional)
-        .means("That the box does not have")
+        .means("That the box does not have; z max is +z")
         .only_if(chosen);
     }
 
