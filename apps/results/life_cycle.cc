@@ -68,6 +68,7 @@ namespace apps
         summary["ranks"].push_back({{"particles", work[r].particles},
                                     {"links", work[r].links},
                                     {"copied_links", work[r].copies},
+                                    {"wall_contacts", work[r].wall_contacts},
                                     {"ghosts", work[r].ghosts},
                                     {"neighbours", work[r].neighbours},
                                     {"messages", work[r].messages},

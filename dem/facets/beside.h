@@ -21,6 +21,9 @@ namespace dem
     const std::int32_t *begin(const std::size_t k) const { return others.data() + from[k]; }
     const std::int32_t *end(const std::size_t k) const { return others.data() + from[k + 1]; }
 
+    /** Particles that are beside one, each perhaps several times. */
+    const std::vector<std::int32_t> &particles() const { return others; }
+
   private:
     std::int64_t              made_at = 0; ///< search of near facets that they belong to
     std::vector<std::size_t>  from    = {0};

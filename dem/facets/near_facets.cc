@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace dem
 {
@@ -106,13 +107,24 @@ namespace dem
       Cells                     cells;
     };
 
-    std::vector<SizeClass> size_classes(const Particles &p, const double search, const double margin)
+    /** Particles around which a process looks, of all. */
+    struct Range
+    {
+      Range(const Particles &p, const SharedSurfaces &with_others)
+        : first(static_cast<std::size_t>(with_others.first()))
+        , last(std::min(p.count, static_cast<std::size_t>(with_others.last())))
+      {
+      }
+      std::size_t first, last;
+    };
+
+    std::vector<SizeClass> size_classes(const Particles &p, const Range &own, const double search, const double margin)
     {
       double smallest = std::numeric_limits<double>::infinity();
-      for (std::size_t i = 0; i < p.count; ++i)
+      for (std::size_t i = own.first; i < own.last; ++i)
         smallest = std::min(smallest, p.radius_of(i));
       std::vector<std::vector<std::int32_t>> members;
-      for (std::size_t i = 0; i < p.count; ++i)
+      for (std::size_t i = own.first; i < own.last; ++i)
         {
           const auto of = static_cast<std::size_t>(std::ilogb(p.radius_of(i) / smallest));
           if (of >= members.size())
@@ -136,33 +148,41 @@ namespace dem
     }
   } // namespace
 
-  double NearFacets::displacement(const Particles &particles, const std::vector<Surface> &surfaces) const
+  double NearFacets::displacement(const Particles            &particles,
+                                  const std::vector<Surface> &surfaces,
+                                  const SharedSurfaces       &with_others) const
   {
-    double of_particles = 0, of_vertices = 0;
-    for (std::size_t i = 0; i < particles.count; ++i)
+    const Range own(particles, with_others);
+    double      of_particles = 0, of_vertices = 0;
+    for (std::size_t i = own.first; i < own.last; ++i)
       of_particles = std::max(of_particles, (particles.position_of(i) - particle_reference[i]).squaredNorm());
-    auto before = vertex_reference.begin();
+    of_particles = with_others.largest(of_particles);
+    auto before  = vertex_reference.begin();
     for (const Surface &surface : surfaces)
       for (const Eigen::Vector3d &x : surface.place)
         of_vertices = std::max(of_vertices, (x - *before++).squaredNorm());
     return std::sqrt(of_particles) + std::sqrt(of_vertices);
   }
 
-  bool NearFacets::still_good(const Particles &particles, const std::vector<Surface> &surfaces)
+  bool NearFacets::still_good(const Particles            &particles,
+                              const std::vector<Surface> &surfaces,
+                              const SharedSurfaces       &with_others)
   {
     if (stale)
       return false;
     if (path < margin)
       return true;
     // The sum of largest steps overrates displacement (different particles, there and back): measure it before searching.
-    path = displacement(particles, surfaces);
+    path = displacement(particles, surfaces, with_others);
     return path < 0.8 * margin;
   }
 
-  void NearFacets::update(const Particles &particles, const std::vector<Surface> &surfaces)
+  void NearFacets::update(const Particles            &particles,
+                          const std::vector<Surface> &surfaces,
+                          const SharedSurfaces       &with_others)
   {
-    if (!still_good(particles, surfaces))
-      make_lists(particles, surfaces, chosen_margin(particles));
+    if (!still_good(particles, surfaces, with_others))
+      make_lists(particles, surfaces, chosen_margin(particles), with_others);
     next_update = margin;
     for (const double gap : smallest)
       next_update = std::min(next_update, gap);
@@ -171,7 +191,7 @@ namespace dem
   void
   NearFacets::search_around(const Particles &particles, const std::vector<Surface> &surfaces, const double distance)
   {
-    make_lists(particles, surfaces, std::nextafter(distance, 2 * distance));
+    make_lists(particles, surfaces, std::nextafter(distance, 2 * distance), {});
   }
 
   void NearFacets::tabulate(const std::vector<FoundPair> &found, const std::size_t particles)
@@ -192,22 +212,25 @@ namespace dem
         next[i + 1] += next[i];
       }
     near.resize(found.size());
-    for (const FoundPair &each : found) // in the order of facets
+    for (const FoundPair &each : found) // of each particle in the order of facets
       near[next[static_cast<std::size_t>(each.particle)]++] = each.pair;
     for (std::size_t k = 0; k < listed.size(); ++k)
       smallest.push_back(
         std::min_element(begin(k), end(k), [](const NearFacet &a, const NearFacet &b) { return a.gap < b.gap; })->gap);
   }
 
-  void
-  NearFacets::make_lists(const Particles &particles, const std::vector<Surface> &surfaces, const double nearer_than)
+  void NearFacets::make_lists(const Particles            &particles,
+                              const std::vector<Surface> &surfaces,
+                              const double                nearer_than,
+                              const SharedSurfaces       &with_others)
   {
-    margin        = nearer_than;
-    double search = 1;
+    margin = nearer_than;
+    const Range own(particles, with_others);
+    double      search = 1;
     for (const Surface &surface : surfaces)
       search = std::max(search, surface.search_radius(1));
     std::vector<FoundPair>       found;
-    const std::vector<SizeClass> classes = size_classes(particles, search, margin);
+    const std::vector<SizeClass> classes = size_classes(particles, own, search, margin);
     for (std::size_t s = 0; s < surfaces.size(); ++s)
       for (std::size_t f = 0; f < surfaces[s].mesh.size(); ++f)
         {
@@ -221,7 +244,7 @@ namespace dem
               found.push_back({i, {static_cast<std::int32_t>(s), static_cast<std::int32_t>(f), gap}});
           };
           if (surfaces[s].mesh.is_plane())
-            for (std::size_t i = 0; i < particles.count; ++i)
+            for (std::size_t i = own.first; i < own.last; ++i)
               test(static_cast<std::int32_t>(i));
           else
             {
@@ -235,7 +258,7 @@ namespace dem
                   test);
             }
         }
-    tabulate(found, particles.count);
+    tabulate(with_others.of_all(std::move(found)), particles.count);
     particle_reference.resize(particles.count);
     for (std::size_t i = 0; i < particles.count; ++i)
       particle_reference[i] = particles.position_of(i);

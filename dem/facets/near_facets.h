@@ -1,5 +1,6 @@
 #pragma once
 
+#include "dem/facets/shared_surfaces.h"
 #include "dem/facets/surface.h"
 #include "dem/model/particles.h"
 
@@ -23,7 +24,7 @@ namespace dem
    * than a margin is complete until `path` reaches the margin, and (2) a pair need not be visited before `path` reaches its gap.
    *
    * Lists are made from a grid of the particles of each size class (radii within a factor of two), each facet visiting the cells
-   * around it: linear in both.
+   * around it: linear in both. Of several ranks each looks around its own particles, and all have the lists of one.
    */
   class NearFacets
   {
@@ -35,7 +36,8 @@ namespace dem
     /** Whether update() would read more particles than those of the lists. */
     bool reads_all() const { return can_touch() && (stale || path >= margin); }
     /** Make the lists good for where everything is now. @pre can_touch() */
-    void update(const Particles &particles, const std::vector<Surface> &surfaces);
+    void
+    update(const Particles &particles, const std::vector<Surface> &surfaces, const SharedSurfaces &with_others = {});
     /** The same, of all that are nearer than a distance [m], whatever there was before. */
     void search_around(const Particles &particles, const std::vector<Surface> &surfaces, double distance);
     /** Forget all lists: places have changed otherwise than by steps. */
@@ -51,7 +53,7 @@ namespace dem
 
     double       good_for() const { return margin; }       ///< lists are while nothing has moved further [m]
     std::int64_t searches() const { return search_count; } ///< how often lists were made
-    std::int64_t tested() const { return test_count; }     ///< pairs whose distance was found for them, so far
+    std::int64_t tested() const { return test_count; }     ///< pairs whose distance this process found for them, so far
 
   private:
     struct FoundPair
@@ -60,10 +62,16 @@ namespace dem
       NearFacet    pair;
     };
 
-    bool   still_good(const Particles &particles, const std::vector<Surface> &surfaces);
-    void   make_lists(const Particles &particles, const std::vector<Surface> &surfaces, double nearer_than);
+    bool
+    still_good(const Particles &particles, const std::vector<Surface> &surfaces, const SharedSurfaces &with_others);
+    void   make_lists(const Particles            &particles,
+                      const std::vector<Surface> &surfaces,
+                      double                      nearer_than,
+                      const SharedSurfaces       &with_others);
     void   tabulate(const std::vector<FoundPair> &found, std::size_t particles);
-    double displacement(const Particles &particles, const std::vector<Surface> &surfaces) const;
+    double displacement(const Particles            &particles,
+                        const std::vector<Surface> &surfaces,
+                        const SharedSurfaces       &with_others) const;
 
     bool                         stale  = true;
     double                       margin = 0, path = 0, next_update = 0;

@@ -23,22 +23,24 @@ namespace dem
     return all.size() - 1;
   }
 
-  const std::vector<std::int32_t> &
-  SurfaceContacts::find_forces(const Particles &particles, const ParticleShape &shape, const double per_second)
+  const std::vector<std::int32_t> &SurfaceContacts::find_forces(const Particles      &particles,
+                                                                const ParticleShape  &shape,
+                                                                const double          per_second,
+                                                                const SharedSurfaces &with_others)
   {
     born.clear();
     if (found)
       return born;
-    rate = per_second;
+    rate               = per_second;
+    const bool touched = count() > 0;
     clear_forces();
-    if (!contacts.empty() || near.can_touch())
+    if (touched || near.can_touch())
       {
         if (near.can_touch())
-          near.update(particles, all);
+          near.update(particles, all, with_others);
         if (spread())
           beside.update(near, particles);
-        find_contacts(particles, shape);
-        hand_out(particles, shape);
+        find_contacts(particles, shape, with_others);
       }
     find_bonds(particles);
     found = true;
@@ -48,7 +50,13 @@ namespace dem
   void SurfaceContacts::clear_forces()
   {
     for (Surface &surface : all)
-      surface.clear_totals();
+      {
+        surface.clear_totals();
+        if (!lacking)
+          continue;
+        std::fill(surface.force.begin(), surface.force.end(), Eigen::Vector3d::Zero());
+        std::fill(surface.stiffness.begin(), surface.stiffness.end(), 0.0);
+      }
     for (const SurfaceContact &contact : contacts)
       {
         std::fill_n(&records[record_size * static_cast<std::size_t>(contact.particle)], record_size, 0.0);
@@ -179,8 +187,11 @@ namespace dem
         }
   }
 
-  void
-  SurfaceContacts::settle(std::vector<SurfaceContact> &&now, const Particles &particles, const ParticleShape &shape)
+  void SurfaceContacts::settle(std::vector<SurfaceContact> &&now,
+                               Known                         old,
+                               const Known                   old_end,
+                               const Particles              &particles,
+                               const ParticleShape          &shape)
   {
     // Both lists are sorted alike: by particle and surface. What is there fewer times now has let go.
     const auto same = [](const SurfaceContact &a, const SurfaceContact &b) {
@@ -189,10 +200,9 @@ namespace dem
     const auto before = [](const SurfaceContact &a, const SurfaceContact &b) {
       return a.particle != b.particle ? a.particle < b.particle : a.surface < b.surface;
     };
-    auto old = contacts.begin();
-    for (auto next = now.begin(); next != now.end() || old != contacts.end();)
+    for (auto next = now.begin(); next != now.end() || old != old_end;)
       {
-        if (next == now.end() || (old != contacts.end() && before(*old, *next)))
+        if (next == now.end() || (old != old_end && before(*old, *next)))
           {
             SurfaceContact gone = *old++;
             gone.spring         = 0; // only shear is left
@@ -200,7 +210,7 @@ namespace dem
             if (gone.dashpot != 0)
               damped += last_of_dashpot(gone, particles);
           }
-        else if (old == contacts.end() || !same(*old, *next))
+        else if (old == old_end || !same(*old, *next))
           {
             if (born.empty() || born.back() != next->particle)
               born.push_back(next->particle);
@@ -226,8 +236,6 @@ namespace dem
 
   void SurfaceContacts::hand_out(const Particles &particles, const ParticleShape &shape)
   {
-    if (!contacts.empty() && records.empty())
-      records.assign(record_size * particles.count, 0.0);
     for (const SurfaceContact &contact : contacts)
       {
         Surface     &surface         = all[static_cast<std::size_t>(contact.surface)];

@@ -6,7 +6,17 @@
 
 namespace dem
 {
-  void SurfaceContacts::collect_impulses(const double kick)
+  namespace
+  {
+    /** Whether a vertex moved in the last step. */
+    bool moved_last(const Surface &surface)
+    {
+      return std::any_of(surface.motion.begin(), surface.motion.end(),
+                         [](const Eigen::Vector3d &by) { return !by.isZero(0); });
+    }
+  } // namespace
+
+  void SurfaceContacts::collect_impulses(const double kick, const SharedSurfaces &with_others)
   {
     for (Surface &surface : all)
       if (surface.touching > 0 || surface.glued > 0)
@@ -14,29 +24,47 @@ namespace dem
           surface.momentum += kick * surface.total_force;
           surface.angular_momentum += kick * surface.total_moment;
         }
-    for (const SurfaceContact &contact : contacts)
-      for_parts(contact, [&](Surface &surface, const std::size_t vertex, const VertexPart &part) {
-        surface.take_impulse(vertex, kick * part.force);
-      });
+    std::vector<RunningSum> sums;
+    if (lacking)
+      for (Surface &surface : all)
+        for (std::vector<Eigen::Vector3d> *of : {&surface.impulse, &surface.turn_impulse})
+          sums.push_back({of->data(), 3 * of->size()});
+    add_in_turn(sums, with_others, [&] {
+      for (const SurfaceContact &contact : contacts)
+        for_parts(contact, [&](Surface &surface, const std::size_t vertex, const VertexPart &part) {
+          surface.take_impulse(vertex, kick * part.force);
+        });
+    });
     for (const SurfaceBonds &glue : glues)
       for (const VertexPart &part : glue.parts())
         all[static_cast<std::size_t>(glue.surface())].take_impulse(static_cast<std::size_t>(part.vertex),
                                                                    kick * part.force);
   }
 
-  double SurfaceContacts::add_work_of_last_motion()
+  double SurfaceContacts::add_work_of_last_motion(const SharedSurfaces &with_others)
   {
-    double work = 0;
-    for (const SurfaceContact &contact : contacts)
+    double                  work = 0;
+    std::vector<RunningSum> sums;
+    if (lacking)
       {
-        Surface &surface = all[static_cast<std::size_t>(contact.surface)];
-        double   of_this = 0;
-        for_parts(contact, [&](const Surface &of, const std::size_t vertex, const VertexPart &part) {
-          of_this -= 0.5 * part.force.dot(of.motion[vertex]);
-        });
-        surface.work += of_this;
-        work += of_this;
+        sums.push_back({&work, 1});
+        for (Surface &surface : all)
+          sums.push_back({&surface.work, 1});
       }
+    const auto add = [&] {
+      for (const SurfaceContact &contact : contacts)
+        {
+          Surface &surface = all[static_cast<std::size_t>(contact.surface)];
+          double   of_this = 0;
+          for_parts(contact, [&](const Surface &of, const std::size_t vertex, const VertexPart &part) {
+            of_this -= 0.5 * part.force.dot(of.motion[vertex]);
+          });
+          surface.work += of_this;
+          work += of_this;
+        }
+    };
+    if (!lacking || std::any_of(all.begin(), all.end(), moved_last)) // otherwise all work is zero
+      add_in_turn(sums, with_others, add);
     for (const SurfaceBonds &glue : glues)
       {
         Surface &surface = all[static_cast<std::size_t>(glue.surface())];
@@ -49,15 +77,19 @@ namespace dem
     return work;
   }
 
-  double SurfaceContacts::put_on(const std::size_t number, const std::vector<Eigen::Vector3d> &by)
+  double SurfaceContacts::put_on(const std::size_t                   number,
+                                 const std::vector<Eigen::Vector3d> &by,
+                                 const SharedSurfaces               &with_others)
   {
     Surface &surface = all[number];
     double   work    = 0;
-    for (const SurfaceContact &contact : contacts)
-      for_parts(contact, [&](const Surface &of, const std::size_t vertex, const VertexPart &part) {
-        if (&of == &surface)
-          work -= 0.5 * part.force.dot(by[vertex]);
-      });
+    add_in_turn({{&work, 1}}, with_others, [&] {
+      for (const SurfaceContact &contact : contacts)
+        for_parts(contact, [&](const Surface &of, const std::size_t vertex, const VertexPart &part) {
+          if (&of == &surface)
+            work -= 0.5 * part.force.dot(by[vertex]);
+        });
+    });
     for (const SurfaceBonds &glue : glues)
       if (static_cast<std::size_t>(glue.surface()) == number)
         for (const VertexPart &part : glue.parts())

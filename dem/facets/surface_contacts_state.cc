@@ -110,5 +110,6 @@ namespace dem
           all[s].meets[static_cast<std::size_t>(glue.particle_of(b))] = !glue.is_alive(b);
       }
     near.forget(); // what is near follows from the places
+    lacking = false;
   }
 } // namespace dem

@@ -73,14 +73,16 @@ namespace dem
     Room                       *room = nullptr; ///< of the thread
     std::vector<SurfaceContact> contacts;
     std::vector<VertexPart>     parts;
-    std::int32_t                sunk = -1, sunk_into = 0;
+    Sunk                        sunk;
   };
 
-  void SurfaceContacts::find_contacts(const Particles &particles, const ParticleShape &shape)
+  void SurfaceContacts::find_contacts(const Particles      &particles,
+                                      const ParticleShape  &shape,
+                                      const SharedSurfaces &with_others)
   {
     std::vector<std::size_t> active;
     for (std::size_t k = 0; k < near.particles().size(); ++k)
-      if (near.within_reach(k))
+      if (near.within_reach(k) && with_others.owns(near.particles()[k]))
         active.push_back(k);
     std::vector<Block> blocks((active.size() + particles_per_piece - 1) / particles_per_piece);
     const auto         pieces = static_cast<std::ptrdiff_t>(blocks.size());
@@ -100,16 +102,16 @@ namespace dem
             touch(particles, shape, active[k], block);
         }
     }
-    settle(gathered(blocks, particles), particles, shape);
+    const auto sunk =
+      std::find_if(blocks.begin(), blocks.end(), [](const Block &block) { return block.sunk.particle >= 0; });
+    take(gathered(blocks), sunk == blocks.end() ? Sunk() : sunk->sunk, particles, shape, with_others);
   }
 
-  std::vector<SurfaceContact> SurfaceContacts::gathered(const std::vector<Block> &blocks, const Particles &particles)
+  std::vector<SurfaceContact> SurfaceContacts::gathered(const std::vector<Block> &blocks)
   {
     std::size_t count = 0, parts = 0;
     for (const Block &block : blocks)
       {
-        if (block.sunk >= 0)
-          refuse_sunk(particles, block.sunk, all[static_cast<std::size_t>(block.sunk_into)]);
         count += block.contacts.size();
         parts += block.parts.size();
       }
@@ -221,8 +223,7 @@ namespace dem
         from = to;
         if (!holds)
           {
-            block.sunk      = i;
-            block.sunk_into = s;
+            block.sunk = {i, s};
             return;
           }
         if (block.room->near.empty())

@@ -15,7 +15,7 @@ namespace dem
     using Lanes = Pack;
 
     /** Values per sum; sums are added in order, so that neither threads nor ranks change a bit. */
-    constexpr std::int64_t chunk = particles_per_sum * motions * load_lanes;
+    constexpr std::int64_t values_per_sum = particles_per_sum * motions * load_lanes;
 
     Lanes pack_of(const std::array<double, load_lanes> &values) { return Lanes::load_unaligned(values.data()); }
 
@@ -42,15 +42,15 @@ namespace dem
     template <typename Body>
     Lanes sum_over(const RowShare &share, const std::size_t values, const Body &body)
     {
-      const std::int64_t sums  = (static_cast<std::int64_t>(values) + chunk - 1) / chunk;
+      const std::int64_t sums  = (static_cast<std::int64_t>(values) + values_per_sum - 1) / values_per_sum;
       const std::int64_t first = share.own().first / particles_per_sum, end = share.own().end * field_size;
-      const std::int64_t behind = (end + chunk - 1) / chunk;
+      const std::int64_t behind = (end + values_per_sum - 1) / values_per_sum;
       base::Column       partial(sums * load_lanes);
 #pragma omp parallel for schedule(static)
       for (std::int64_t k = first; k < behind; ++k)
         {
           Lanes sum = 0.0;
-          for (std::int64_t i = k * chunk; i < std::min(end, (k + 1) * chunk); i += load_lanes)
+          for (std::int64_t i = k * values_per_sum; i < std::min(end, (k + 1) * values_per_sum); i += load_lanes)
             sum += body(i);
           store(sum, &partial[k * load_lanes]);
         }

@@ -15,7 +15,7 @@ namespace dem
     constexpr std::size_t most_aggregates = 1000000;
     constexpr double      right_volume = 0.005, right_passing = 0.005;
     constexpr double      as_good  = 0.05; ///< as both, of these tolerances
-    constexpr double      step     = 4e-4; ///< of increments
+    constexpr double      stride   = 4e-4; ///< of increments
     constexpr double      farthest = 1.06; ///< of these, over that where the volume first is right
 
     double cube(const double d) { return d * d * d; }
@@ -114,7 +114,7 @@ namespace dem
     double     few = 0.5 * (curve.largest() - smallest), many = few;
     while (of(many).volume < volume)
       many *= 0.5;
-    while (few / many > 1 + step)
+    while (few / many > 1 + stride)
       {
         const double middle                       = std::sqrt(few * many);
         (of(middle).volume < volume ? few : many) = middle;
@@ -125,7 +125,7 @@ namespace dem
                       largest_misfit(curve, smallest, sizes.diameters) / right_passing);
     };
     AggregateSizes best = of(many);
-    for (double next = many * farthest; next > many / farthest && !(misfit(best) < as_good); next /= 1 + step)
+    for (double next = many * farthest; next > many / farthest && !(misfit(best) < as_good); next /= 1 + stride)
       if (AggregateSizes sizes = of(next); misfit(sizes) < misfit(best))
         best = std::move(sizes);
     return best;

@@ -46,12 +46,13 @@ namespace dem
   /** What a rank does of a specimen's work, at this moment, and what it has sent so far. */
   struct RankWork
   {
-    std::int64_t particles  = 0; ///< that it moves
-    std::int64_t links      = 0; ///< bonds and contacts in its blocks, idle lines included
-    std::int64_t copies     = 0; ///< that it updates beside them
-    std::int64_t ghosts     = 0; ///< particles of others that it needs
-    std::int64_t neighbours = 0; ///< ranks that it exchanges particles with
-    std::int64_t messages   = 0; ///< of these exchanges, and gatherings
-    std::int64_t bytes      = 0; ///< sent in both
+    std::int64_t particles     = 0; ///< that it moves
+    std::int64_t links         = 0; ///< bonds and contacts in its blocks, idle lines included
+    std::int64_t copies        = 0; ///< that it updates beside them
+    std::int64_t wall_contacts = 0; ///< that it finds, and has
+    std::int64_t ghosts        = 0; ///< particles of others that it needs
+    std::int64_t neighbours    = 0; ///< ranks that it exchanges particles with
+    std::int64_t messages      = 0; ///< of these exchanges, and gatherings
+    std::int64_t bytes         = 0; ///< sent in both
   };
 } // namespace dem

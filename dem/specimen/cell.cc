@@ -127,8 +127,9 @@ namespace dem
             }
         }
     });
-    double            of_links = sum_of_forces(*self, self->bonds) + sum_of_forces(*self, self->contacts);
-    const std::size_t links    = self->bonds.alive + self->touching_contacts() + self->surfaces.list().size();
+    double of_links = sum_of_forces(*self, self->bonds) + sum_of_forces(*self, self->contacts);
+    self->gather_wall_contacts();
+    const std::size_t links = self->bonds.alive + self->touching_contacts() + self->surfaces.count();
     for (const SurfaceContact &contact : self->surfaces.list())
       of_links += contact.force.norm();
     if (moving == 0 || on_particles == 0)

@@ -122,7 +122,7 @@ namespace dem
     void gather_accounts();
     /** Whether this process has the state of all links of a set, or of both: then it reads without the others. */
     bool           has_all(const LinkSet &links) const;
-    bool           has_all_links() const { return has_all(bonds) && has_all(contacts); }
+    bool           has_all_links() const { return has_all(bonds) && has_all(contacts) && !surfaces.lacks_contacts(); }
     DeepestOverlap deepest_overlap();
     /** Before contacts, lists or overlaps are sought: where all particles are. */
     void gather_places();
@@ -133,7 +133,11 @@ namespace dem
     std::vector<std::int32_t> corrected_by(const StepPartner &partner) const;
     /** Of what each rank has found among its own particles. */
     double largest_of_all(double own) const;
-    /** Particles that surfaces read in every step, ascending. */
+    /** How this process takes part in what particles and surfaces do to each other. */
+    SharedSurfaces surfaces_with_others() { return shares() ? shared->surfaces() : SharedSurfaces(); }
+    /** Before contacts with surfaces are read: those of all ranks. */
+    void gather_wall_contacts();
+    /** Particles of others, too, that surfaces read in every step, ascending. */
     std::vector<std::int32_t> read_by_surfaces() const;
     /** Keep the step, with its factor, below the stable ones of some particles. */
     void shorten_step_for(const std::vector<std::int32_t> &some);

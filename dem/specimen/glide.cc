@@ -18,14 +18,19 @@ namespace dem
         "restitution below 1. Let both sides take the same steps.");
     if (step_count == 0)
       begin();
-    if (shares())
-      shared->share_velocities(particles, read_by_surfaces());
+    gather_wall_contacts();
     before_glide      = surfaces.energies(shape, particles);
     gliding           = {};
     gliding.under_way = true;
-    gliding.pose      = particles.pose;
-    gliding.motion    = particles.motion;
-    gliding.velocity  = particles.velocity;
+    if (shares())
+      {
+        const std::vector<std::int32_t> read = read_by_surfaces();
+        shared->share_velocities(particles, read);
+        shared->share_displacements(particles, read);
+      }
+    gliding.pose     = particles.pose;
+    gliding.motion   = particles.motion;
+    gliding.velocity = particles.velocity;
     if (step_count > 0)
       return gliding.pushes.add_work_before(surfaces, unseen.empty() ? particles.motion : unseen);
     base::Column led_here = particles.velocity; // as the account's begin() has it
@@ -60,6 +65,7 @@ namespace dem
 
   void SpecimenCore::glide(const double step, const double kick)
   {
+    gather_wall_contacts();
     surfaces.collect_impulses(kick);
     gliding.pushes.add_impulses(surfaces, kick, gliding.glided, gliding.velocity);
     (gliding.glided > 0 ? gliding.work_after : gliding.work_now) += surfaces.add_work_of_last_motion();

@@ -52,14 +52,14 @@ namespace dem
             self->touching_contacts() + in_place,
             self->cracks.count(),
             self->search.searches(),
-            self->surfaces.list().size(),
+            self->surfaces.count(),
             std::max(self->overlaps.deepest(), self->deepest_overlap().depth),
             self->largest_turn};
   }
 
   std::vector<RankWork> ObservedSpecimen::shares() const
   {
-    return self->shares() ? self->shared->work(self->bonds, self->contacts) : std::vector<RankWork>{};
+    return self->shares() ? self->shared->work(self->bonds, self->contacts, self->surfaces) : std::vector<RankWork>{};
   }
 
   std::size_t ObservedSpecimen::bytes() const
@@ -134,8 +134,9 @@ namespace dem
     self->gather_accounts();
     if (!self->surfaces.empty())
       self->gather_places();
-    EnergyAccount         e;
-    auto                 &s           = *self;
+    EnergyAccount e;
+    auto         &s = *self;
+    s.gather_wall_contacts();
     const SurfaceEnergies of_surfaces = s.surface_energies();
     const auto [stored, damage]       = energies_of_bonds(s);
     const double of_contacts          = elastic_energy_of_contacts(s);
@@ -258,6 +259,7 @@ namespace dem
           sum += is_of[links->first[l]] ? force : Eigen::Vector3d(-force);
         });
       });
+    self->gather_wall_contacts();
     self->surfaces.each_push(
       [&](std::int32_t, const std::int32_t particle, const Eigen::Vector3d &force, const Eigen::Vector3d &) {
         if (is_of[static_cast<std::size_t>(particle)])

@@ -13,6 +13,7 @@ namespace dem
     if (!shared)
       return;
     gather_particles();
+    gather_wall_contacts();
     if (shared->lacks_bonds())
       shared->gather_bonds(bonds);
     if (shared->lacks_contacts())
@@ -25,6 +26,12 @@ namespace dem
       return;
     gather_places();
     shared->gather_particles(particles);
+  }
+
+  void SpecimenCore::gather_wall_contacts()
+  {
+    if (surfaces.lacks_contacts())
+      surfaces.gather(surfaces_with_others());
   }
 
   bool SpecimenCore::has_all(const LinkSet &links) const

@@ -164,7 +164,7 @@ namespace dem
         by[v]    = place[v] - surface.place[v];
         furthest = std::max(furthest, by[v].norm());
       }
-    core->book.work.after += core->surfaces.put_on(number, by);
+    core->book.work.after += core->surfaces.put_on(number, by, core->surfaces_with_others());
     surface.place = place; // to the last bit
     core->surfaces.moved(0, furthest);
   }

@@ -181,6 +181,12 @@ namespace dem
       gather_records({&particles.velocity}, of);
   }
 
+  void SharedWork::share_displacements(Particles &particles, const std::vector<std::int32_t> &of)
+  {
+    if (!of.empty())
+      gather_records({&particles.motion}, of);
+  }
+
   void SharedWork::share_states(Particles &particles, const std::vector<std::int32_t> &of)
   {
     if (!of.empty())

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "dem/contacts/shared_search.h"
+#include "dem/facets/surface_contacts.h"
 #include "dem/kernels/particle_pass.h"
 #include "dem/model/links.h"
 #include "dem/model/particles.h"
@@ -55,7 +56,7 @@ namespace dem
     std::int32_t   last() const { return particle_begin[rank() + 1]; } ///< behind its particles
     bool           owns(const std::int32_t particle) const { return particle >= first() && particle < last(); }
     /** Of each rank. */
-    std::vector<RankWork> work(const LinkSet &bonds, const LinkSet &contacts) const;
+    std::vector<RankWork> work(const LinkSet &bonds, const LinkSet &contacts, const SurfaceContacts &surfaces) const;
     /** What particles and links take up in each rank. */
     std::vector<RankMemory> memory(const Particles &particles, const LinkSet &bonds, const LinkSet &contacts) const;
 
@@ -77,13 +78,16 @@ namespace dem
     /** Forces and moments on some particles. @param of ascending */
     void share_forces(Particles &particles, const std::vector<std::int32_t> &of);
     void share_velocities(Particles &particles, const std::vector<std::int32_t> &of);
+    void share_displacements(Particles &particles, const std::vector<std::int32_t> &of); ///< of the last step
     /** Places, motions, velocities and forces: all know these particles until others move. @param of ascending */
     void share_states(Particles &particles, const std::vector<std::int32_t> &of);
     bool knows(std::int32_t particle) const;
     /** For neighbours, each rank for those of its particles. */
     SharedSearch search();
-    double       largest(double number) const;
-    double       least(const double number) const { return -largest(-number); }
+    /** For contacts with surfaces, likewise. */
+    SharedSurfaces surfaces() { return {*ranks, first(), last(), messages, bytes}; }
+    double         largest(double number) const;
+    double         least(const double number) const { return -largest(-number); }
 
     // --- To read all of it ---
 

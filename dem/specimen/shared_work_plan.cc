@@ -181,10 +181,12 @@ namespace dem
     bonds.in_parts = contacts.in_parts = false;
   }
 
-  std::vector<RankWork> SharedWork::work(const LinkSet &bonds, const LinkSet &contacts) const
+  std::vector<RankWork>
+  SharedWork::work(const LinkSet &bonds, const LinkSet &contacts, const SurfaceContacts &surfaces) const
   {
     RankWork own;
-    own.particles = last() - first();
+    own.particles     = last() - first();
+    own.wall_contacts = surfaces.count_of(first(), last());
     for (const LinkSet *links : {&bonds, &contacts})
       for (const LinkPart &part : links->parts)
         (part.own ? own.links : own.copies) += static_cast<std::int64_t>(part.end - part.begin);

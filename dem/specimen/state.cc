@@ -30,6 +30,7 @@ namespace dem
     clumps.visit_state(visitor);
     kicks.visit_state(visitor);
     visit_glide(visitor);
+    gather_wall_contacts();
     surfaces.visit_state(visitor);
     base::Column kinetic(accounts.size());
     for (std::size_t b = 0; b < kinetic.size(); ++b)

@@ -71,15 +71,19 @@ namespace dem
   void SpecimenCore::find_surface_forces()
   {
     const bool glides = gliding.under_way && gliding.seen < gliding.glided;
+    if (gliding.under_way)
+      gather_wall_contacts();
     if (glides) // forces that were found before have worked until here, and new ones from half of the way on
       gliding.pushes.add_work(surfaces, particles.motion);
     if (surfaces.near_facets().reads_all())
       gather_places();
     const UnseenMotion shown(particles, gliding.under_way ? nullptr : &unseen);
     const double       per_second = last_step > 0 ? 1 / last_step : 0.0;
-    shorten_step_for(surfaces.find_forces(particles, shape, per_second));
+    shorten_step_for(surfaces.find_forces(particles, shape, per_second, surfaces_with_others()));
     time_step = std::min(time_step, longest_step);
     log_torn_glue();
+    if (gliding.under_way)
+      gather_wall_contacts();
     if (glides)
       gliding.pushes.add_work(surfaces, particles.motion);
     gliding.seen = gliding.glided;
@@ -87,7 +91,9 @@ namespace dem
 
   std::vector<std::int32_t> SpecimenCore::read_by_surfaces() const
   {
-    std::vector<std::int32_t> some = surfaces.near_facets().particles();
+    std::vector<std::int32_t> some = surfaces.standing_beside();
+    if (gliding.under_way) // what touches takes work and impulses on the way, which all add up
+      some.insert(some.end(), surfaces.near_facets().particles().begin(), surfaces.near_facets().particles().end());
     for (const SurfaceBonds &glue : surfaces.bonds())
       for (std::size_t b = 0; b < glue.count(); ++b)
         some.push_back(glue.particle_of(b));
@@ -121,10 +127,11 @@ namespace dem
 
   void SpecimenCore::advance_surfaces(const StepHalves &halves)
   {
-    surfaces.collect_impulses(halves.before + halves.after);
-    book.work.now += surfaces.add_work_of_last_motion();
+    const SharedSurfaces with_others = surfaces_with_others();
+    surfaces.collect_impulses(halves.before + halves.after, with_others);
+    book.work.now += surfaces.add_work_of_last_motion(with_others);
     const double of_vertices = surfaces.advance(time_step);
-    book.work.after += surfaces.add_work_of_last_motion();
+    book.work.after += surfaces.add_work_of_last_motion(with_others);
     refuse_too_fast(largest_displacement(), of_vertices);
     surfaces.moved(largest_displacement(), of_vertices);
   }
@@ -176,6 +183,7 @@ namespace dem
 
   std::vector<WallContact> SurfaceReadings::contacts() const
   {
+    core->gather_wall_contacts();
     std::vector<WallContact> out;
     for (const SurfaceContact &contact : core->surfaces.list())
       {

@@ -20,7 +20,7 @@ namespace dem
   class SurfaceReadings
   {
   public:
-    explicit SurfaceReadings(const SpecimenCore &specimen)
+    explicit SurfaceReadings(SpecimenCore &specimen)
       : core(&specimen)
     {
     }
@@ -28,12 +28,12 @@ namespace dem
     std::size_t size() const;
     /** A surface's vertices, the forces on it at t_n and the impulses that it has taken. */
     const Surface           &at(std::size_t number) const;
-    std::vector<WallContact> contacts() const; ///< at t_n
+    std::vector<WallContact> contacts() const; ///< at t_n; called by all ranks, which have their own alone until then
     /** How often facets near particles were searched, and how many pairs were tested for it, since the start. */
     std::array<std::int64_t, 2> searches() const;
 
-  private:
-    const SpecimenCore *core;
+  protected:
+    SpecimenCore *core;
   };
 
   /** Walls, and boundaries of a partner's body. Valid as long as the specimen. */
@@ -42,7 +42,6 @@ namespace dem
   public:
     explicit Surfaces(SpecimenCore &specimen)
       : SurfaceReadings(specimen)
-      , core(&specimen)
     {
     }
 
@@ -66,8 +65,5 @@ namespace dem
      * a specimen's ends). @throws base::InputError once there was a step, and for a surface whose contacts are spread or of a skin
      */
     void cut_off(std::size_t surface);
-
-  private:
-    SpecimenCore *core;
   };
 } // namespace dem

@@ -7,12 +7,14 @@
 #include "dem/laboratory/lab_test.h"
 #include "dem/laws/contact_bond.h"
 #include "dem/laws/flat_joint.h"
+#include "dem/laws/hertz_mindlin.h"
 #include "dem/laws/linear_contact.h"
 #include "dem/laws/parallel_bond.h"
 #include "dem/loading/periodic_cell.h"
 #include "dem/loading/uniaxial.h"
 #include "dem/packing/lattice.h"
 #include "dem/specimen/specimen.h"
+#include "facets_fixture.h"
 #include "falling_grains.h"
 #include "laboratory_fixture.h"
 #include "weak_bonds.h"
@@ -148,6 +150,42 @@ namespace shared_bodies
     specimen.surfaces().add(box);
     for (std::size_t i = 0; i < packing.size(); ++i)
       specimen.set_velocity(i, Vector3d(2, 0, -5), Vector3d::Zero());
+    return std::make_unique<Free>(std::move(specimen));
+  }
+
+  /**
+   * Grains between a floor of many facets over which their contacts are spread, and a lid with friction and restitution that comes down at a
+   * force: they stand beside each other in rows, some not quite as low as others, and do not touch each other.
+   */
+  inline std::unique_ptr<Body> grains_under_lid()
+  {
+    dem::Packing       packing = cluster::cubic_lattice(24, 24, 2, 1e-3);
+    dem::UniformRandom random(5);
+    for (Vector3d &x : packing.centre)
+      {
+        x += 2e-5 * cluster::random_vector(random) - Vector3d(0.023, 0.023, 0);
+        x.z() += x.z() < 1e-3 ? 1.02e-3 + 6e-4 * random() : 1.7e-3;
+      }
+    dem::SpecimenParameters parameters = grains::falling();
+    parameters.physics.contacts        = false; // nor is anything gathered to seek them
+    dem::Specimen          specimen(packing, parameters, grains::rough());
+    dem::SurfaceParameters floor;
+    floor.name    = "floor";
+    floor.mesh    = walls::patch(0.03, 30);
+    floor.contact = grains::rough();
+    floor.spread  = true;
+    specimen.surfaces().add(floor);
+    dem::SurfaceParameters lid;
+    lid.name    = "lid";
+    lid.mesh    = dem::plate(Vector3d(-0.03, -0.03, 4.8e-3), Vector3d(0.06, 0, 0), Vector3d(0, 0.06, 0));
+    lid.contact = dem::HertzMindlinParameters{2e8, 0.2, 0.3, 0.7};
+    dem::ForceServo servo;
+    servo.direction     = Vector3d(0, 0, -1);
+    servo.force         = 2;
+    servo.largest_speed = 2;
+    specimen.surfaces().hold_at_force(specimen.surfaces().add(lid), servo);
+    for (std::size_t i = 0; i < packing.size(); ++i)
+      specimen.set_velocity(i, Vector3d(1, 0.5, packing.centre[i].z() < 2e-3 ? -1 : 1), Vector3d::Zero());
     return std::make_unique<Free>(std::move(specimen));
   }
 

@@ -150,6 +150,7 @@ namespace
     return {{"concrete that is pulled apart", [] { return std::make_unique<Pulled>(); }, 800, 100},
             {"a cell under stresses", [] { return std::make_unique<CellUnderStress>(); }, 600, 10},
             {"grains that fall into a box", falling_grains, 600, 0},
+            {"grains between a spread floor and a lid", grains_under_lid, 300, 0},
             {"clumps that tumble", tumbling_clumps, 500, 0},
             {"three laws in two materials", three_laws, 150, 100},
             {"flat joints", [] { return std::make_unique<Free>(thrown_apart(flat())); }, 150, 100},
@@ -210,10 +211,14 @@ namespace
         INFO(way.ranks << " ranks" << (way.resumed ? ", resumed" : ""));
         CHECK(different == std::vector<std::string>(way.ranks));
         CHECK(damages == std::vector<double>(way.ranks, damage));
-        std::int64_t particles = 0;
+        std::int64_t particles = 0, wall_contacts = 0;
         for (const dem::RankWork &of : work)
-          particles += of.particles;
+          {
+            particles += of.particles;
+            wall_contacts += of.wall_contacts;
+          }
         CHECK(particles == static_cast<std::int64_t>(counts.particles));
+        CHECK(wall_contacts == static_cast<std::int64_t>(counts.wall_contacts));
       }
   }
 } // namespace

@@ -61,14 +61,14 @@ namespace apps
   void BreakResults::write(const std::filesystem::path &folder, const dem::ParticleOutput &particles) const
   {
     postprocess::PictureSlab slab;
-    slab.axis                = specimen.parameters().physics.dimension == 2 ? 2 : 1;
-    slab.materials           = materials;
-    const LoadedLinks loaded = loaded_links(specimen, particles, slab);
+    slab.axis                                    = specimen.parameters().physics.dimension == 2 ? 2 : 1;
+    slab.materials                               = materials;
+    const LoadedLinks                   loaded   = loaded_links(specimen, particles, slab);
+    const std::vector<dem::WallContact> on_walls = specimen.surfaces().contacts(); // meets the other ranks
     on_first_rank([&] {
       if (loaded.any)
-        warn_of_missing("forces.png",
-                        postprocess::picture_of_forces(folder / "forces.png", particles, loaded.seen,
-                                                       specimen.surfaces().contacts(), "Forces at the end", slab));
+        warn_of_missing("forces.png", postprocess::picture_of_forces(folder / "forces.png", particles, loaded.seen,
+                                                                     on_walls, "Forces at the end", slab));
       write_alone(folder, particles, slab);
     });
   }
