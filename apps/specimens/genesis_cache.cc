@@ -3,7 +3,7 @@
 #include "apps/process/mpi_ranks.h"
 #include "apps/process/mpi_session.h"
 #include "base/flat_state.h"
-#include "dem/ranks/from_first.h"
+#include "dem/ranks/from_one.h"
 #include "postprocess/files/digest.h"
 
 #include <fmt/format.h>

@@ -2,7 +2,7 @@
 
 #include "apps/process/mpi_ranks.h"
 #include "apps/process/mpi_session.h"
-#include "dem/ranks/from_first.h"
+#include "dem/ranks/from_one.h"
 
 #include <fmt/format.h>
 

@@ -1,5 +1,8 @@
 #include "dem/facets/shared_surfaces.h"
 
+#include "dem/ranks/in_turn.h"
+
+#include <algorithm>
 #include <cstring>
 
 namespace dem
@@ -87,36 +90,14 @@ namespace dem
     for (const RunningSum &sum : sums)
       length += sum.count;
     std::vector<double> numbers(length);
-    const std::size_t   self = ranks->rank();
-    for (std::size_t k = 0; k < by.size(); ++k)
-      {
-        if (by[k] == self)
-          {
-            if (k > 0)
-              take(sums, numbers);
-            add();
-            put(sums, numbers);
-          }
-        if (k + 1 == by.size())
-          break;
-        std::vector<RankMessage> to_next, from_last;
-        if (by[k] == self)
-          {
-            count_sent(word * length);
-            to_next.push_back({by[k + 1], numbers});
-          }
-        if (by[k + 1] == self)
-          from_last.push_back({by[k], std::vector<double>(length)});
-        ranks->exchange(to_next, from_last);
-        if (!from_last.empty())
-          numbers = std::move(from_last.front().numbers);
-      }
-    std::vector<std::size_t> of_last(ranks->size() + 1, 0);
-    for (std::size_t r = by.back(); r < ranks->size(); ++r)
-      of_last[r + 1] = word * length;
-    if (by.back() == self)
+    put(sums, numbers);
+    if (std::binary_search(by.begin(), by.end(), ranks->rank())) // to the next one, or from the last to all
       count_sent(word * length);
-    ranks->gather(numbers.data(), of_last);
+    dem::in_turn(*ranks, by, numbers.data(), length, [&] {
+      take(sums, numbers);
+      add();
+      put(sums, numbers);
+    });
     take(sums, numbers);
   }
 } // namespace dem

@@ -41,10 +41,10 @@ namespace dem
     std::array<double, sizeof(Sum) / sizeof(double)> numbers;
     std::memcpy(numbers.data(), &all, sizeof(Sum));
     relay(numbers.data(), numbers.size(), [&] {
-      std::memcpy(&all, numbers.data(), sizeof(Sum));
+      std::memcpy(static_cast<void *>(&all), numbers.data(), sizeof(Sum));
       join(all);
       std::memcpy(numbers.data(), &all, sizeof(Sum));
     });
-    std::memcpy(&all, numbers.data(), sizeof(Sum));
+    std::memcpy(static_cast<void *>(&all), numbers.data(), sizeof(Sum));
   }
 } // namespace dem

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <vector>
 
 namespace dem
 {
@@ -15,4 +16,11 @@ namespace dem
 
   /** The same, and all ranks have what comes out. */
   void in_turn(Ranks &ranks, double *numbers, std::size_t count, const std::function<void()> &go_on);
+
+  /** The same from one to the next of some of them. @param by ascending, not empty, the same on all ranks; all of them call, and have what comes out */
+  void in_turn(Ranks                          &ranks,
+               const std::vector<std::size_t> &by,
+               double                         *numbers,
+               std::size_t                     count,
+               const std::function<void()>    &go_on);
 } // namespace dem
