@@ -2,7 +2,9 @@
 
 #include "base/column.h"
 
+#include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -17,10 +19,25 @@ namespace base
   class StateVisitor
   {
   public:
+    /** Takes some numbers of a column, which follow those before. */
+    using Take = std::function<void(const double *numbers, std::size_t count)>;
+    /** Hands a whole column to what takes it, part by part; called once. */
+    using Tell = std::function<void(const Take &take)>;
+
     virtual ~StateVisitor()                                                         = default;
     virtual void column(const std::string &name, Column &values)                    = 0;
     virtual void column(const std::string &name, std::vector<std::int32_t> &values) = 0;
-    virtual void scalar(const std::string &name, double &value)                     = 0;
-    virtual void scalar(const std::string &name, std::int64_t &value)               = 0;
+    /** A column of which no one has the memory: a writer takes one part after the other. To other visitors it is one as others. */
+    virtual void column_in_parts(const std::string &name, const std::size_t count, const Tell &tell)
+    {
+      Column whole;
+      whole.reserve(count);
+      tell([&](const double *const numbers, const std::size_t more) {
+        whole.insert(whole.end(), numbers, numbers + more);
+      });
+      column(name, whole);
+    }
+    virtual void scalar(const std::string &name, double &value)       = 0;
+    virtual void scalar(const std::string &name, std::int64_t &value) = 0;
   };
 } // namespace base

@@ -32,6 +32,10 @@ namespace apps
     {
       checkpoint.column(name, values);
     }
+    void column_in_parts(const std::string &name, const std::size_t count, const Tell &tell) override
+    {
+      checkpoint.column_in_parts(name, count, tell);
+    }
     void scalar(const std::string &name, double &value) override { checkpoint.scalar(name, value); }
     void scalar(const std::string &name, std::int64_t &value) override { checkpoint.scalar(name, value); }
 

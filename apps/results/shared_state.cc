@@ -5,6 +5,8 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <exception>
+
 namespace apps
 {
   namespace
@@ -75,6 +77,44 @@ namespace apps
   }
   void SharedState::column(const std::string &name, base::Column &values) { visit_column(name, values); }
   void SharedState::column(const std::string &name, std::vector<std::int32_t> &values) { visit_column(name, values); }
+  void SharedState::column_in_parts(const std::string &name, const std::size_t count, const Tell &tell)
+  {
+    bool               told = false;
+    std::exception_ptr failed;
+    const Take         leave = [](const double *, std::size_t) {};
+    const auto hand_on = [&](const Take &take) { // the others wait for the first at each part, whatever happens to it
+      told = true;
+      tell([&](const double *const numbers, const std::size_t more) {
+        try
+          {
+            if (!failed)
+              take(numbers, more);
+          }
+        catch (...)
+          {
+            failed = std::current_exception();
+          }
+      });
+      if (failed)
+        std::rethrow_exception(failed);
+    };
+    try
+      {
+        if (inner)
+          inner->column_in_parts(name, count, hand_on);
+      }
+    catch (...)
+      {
+        failed = std::current_exception();
+      }
+    if (!told)
+      tell(leave);
+    on_first_rank([&] {
+      if (failed)
+        std::rethrow_exception(failed);
+    });
+  }
+
   void SharedState::scalar(const std::string &name, double &value) { visit_scalar(inner, reader, name, value); }
   void SharedState::scalar(const std::string &name, std::int64_t &value) { visit_scalar(inner, reader, name, value); }
 } // namespace apps

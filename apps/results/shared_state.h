@@ -24,6 +24,8 @@ namespace apps
     /** @throws base::InputError on every rank, on reading, if the lengths do not fit. */
     void column(const std::string &name, base::Column &values) override;
     void column(const std::string &name, std::vector<std::int32_t> &values) override;
+    /** All ranks are told all parts, of which the first one's state takes them. @pre it does not read, and each rank has all */
+    void column_in_parts(const std::string &name, std::size_t count, const Tell &tell) override;
     void scalar(const std::string &name, double &value) override;
     void scalar(const std::string &name, std::int64_t &value) override;
 

@@ -27,20 +27,20 @@ namespace dem
 
   void GatheredState::column(const std::string &name, base::Column &values)
   {
-    SharedWork &shared = *core.shared;
-    const auto  visit  = [&] { inner.column(name, values); };
-    const auto  moving = records_of_motion(core.particles);
+    SharedWork &shared   = *core.shared;
+    const auto  moving   = records_of_motion(core.particles);
+    const auto  in_parts = [&](const auto &tell) { inner.column_in_parts(name, values.size(), tell); };
     if (is_of_state(core.bonds, values))
-      shared.with_column_of_bonds(values, core.bonds, visit);
+      in_parts([&](const Take &take) { shared.tell_column_of_bonds(values, core.bonds, take); });
     else if (is_of_state(core.contacts, values))
-      shared.with_column_of_contacts(values, core.contacts, visit);
+      in_parts([&](const Take &take) { shared.tell_column_of_contacts(values, core.contacts, take); });
     else if (std::find(moving.begin(), moving.end(), &values) != moving.end())
-      shared.with_records(values, core.particles, visit);
+      in_parts([&](const Take &take) { shared.tell_records(values, take); });
     else
       {
         if (&values == &core.particles.pose)
           shared.gather_column(values);
-        visit();
+        inner.column(name, values);
       }
   }
 

@@ -7,8 +7,8 @@
 namespace dem
 {
   /**
-   * Shows the state of a specimen that several ranks share to a visitor that writes it: columns of which each rank has its part are gathered one
-   * by one, so that no rank needs the memory of more than one of them at a time. All ranks visit.
+   * Shows the state of a specimen that several ranks share to a visitor that writes it: columns of which each rank has its part are told to all
+   * some lines at a time, so that none needs the memory of a whole one. All ranks visit.
    */
   class GatheredState : public base::StateVisitor
   {

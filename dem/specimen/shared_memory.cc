@@ -2,6 +2,7 @@
 
 #include "dem/core/memory_pages.h"
 #include "dem/model/column_memory.h"
+#include "dem/ranks/from_one.h"
 #include "dem/ranks/in_turn.h"
 #include "dem/specimen/few_lines.h"
 #include "dem/specimen/shared_work.h"
@@ -9,6 +10,7 @@
 #include <algorithm>
 #include <cstring>
 #include <limits>
+#include <stdexcept>
 #include <utility>
 
 namespace dem
@@ -395,36 +397,60 @@ namespace dem
 
   // --- One column of it ---
 
-  void SharedWork::with_column(base::Column                &column,
-                               const LinkSet               &links,
-                               const SetShare              &share,
-                               const std::function<void()> &read)
+  void SharedWork::tell_column(const base::Column                          &column,
+                               const std::size_t                            numbers_of_line,
+                               const std::vector<std::vector<std::size_t>> &lines,
+                               const TakePart                              &take)
+  {
+    std::size_t told = 0;
+    for (const std::vector<std::size_t> &begin : lines)
+      for (std::size_t r = 0; r < size(); ++r)
+        each_few_lines(begin[r], begin[r + 1], [&](const std::size_t from, const std::size_t to) {
+          if (from != told)
+            throw std::logic_error("ranks: a column has lines of nobody");
+          told = to;
+          std::vector<double> part(numbers_of_line * (to - from));
+          if (rank() == r)
+            {
+              std::copy_n(&column[numbers_of_line * from], part.size(), part.data());
+              bytes += static_cast<std::int64_t>(sizeof(double) * part.size());
+              ++messages;
+            }
+          take_from(*ranks, r, part.data(), part.size());
+          take(part.data(), part.size());
+        });
+    if (const std::size_t at = numbers_of_line * told; at < column.size()) // filled up, without meaning
+      take(&column[at], column.size() - at);
+  }
+
+  void
+  SharedWork::tell_column(const base::Column &column, const LinkSet &links, const SetShare &share, const TakePart &take)
   {
     if (!links.in_parts || !share.stale || links.count == 0)
-      return read();
-    const std::size_t numbers = column.size() / links.first.size();
-    gather_column(column, numbers, share);
-    read();
-    if (share.lean)
-      drop_lines(column, numbers, links, {0, links.first.size(), 0, true});
+      return take(column.data(), column.size());
+    const std::size_t                     all   = links.first.size();
+    std::vector<std::vector<std::size_t>> lines = share.block_begin;
+    for (std::vector<std::size_t> &begin : lines)
+      for (std::size_t &at : begin)
+        at = std::min(at * links_per_block, all);
+    tell_column(column, column.size() / all, lines, take);
   }
 
-  void SharedWork::with_column_of_bonds(base::Column &column, LinkSet &bonds, const std::function<void()> &read)
+  void SharedWork::tell_column_of_bonds(const base::Column &column, const LinkSet &bonds, const TakePart &take)
   {
-    with_column(column, bonds, of_bonds, read);
+    tell_column(column, bonds, of_bonds, take);
   }
 
-  void SharedWork::with_column_of_contacts(base::Column &column, LinkSet &contacts, const std::function<void()> &read)
+  void SharedWork::tell_column_of_contacts(const base::Column &column, const LinkSet &contacts, const TakePart &take)
   {
-    with_column(column, contacts, of_contacts, read);
+    tell_column(column, contacts, of_contacts, take);
   }
 
-  void SharedWork::with_records(base::Column &column, const Particles &particles, const std::function<void()> &read)
+  void SharedWork::tell_records(const base::Column &column, const TakePart &take)
   {
     if (places_stale || rates_stale || masses_absent)
-      gather_column(column);
-    read();
-    if (lean)
-      drop_records(column, particles.count);
+      tell_column(column, record_size, {{particle_begin.begin(), particle_begin.end()}}, take);
+    else
+      take(column.data(), column.size());
   }
 } // namespace dem

@@ -123,10 +123,11 @@ namespace dem
     /** Let the first rank alone know where particles are, until the next step; for the others they stay where they knew them last. */
     void give_places_to_first(Particles &particles);
     bool is_first() const { return rank() == 0; }
-    /** One column of a set, or of particles' records, while something reads all of it. */
-    void with_column_of_bonds(base::Column &column, LinkSet &bonds, const std::function<void()> &read);
-    void with_column_of_contacts(base::Column &column, LinkSet &contacts, const std::function<void()> &read);
-    void with_records(base::Column &column, const Particles &particles, const std::function<void()> &read);
+    /** Tell all ranks one column of a set, or of particles' records, in its order, of few lines at a time. */
+    using TakePart = std::function<void(const double *numbers, std::size_t count)>;
+    void tell_column_of_bonds(const base::Column &column, const LinkSet &bonds, const TakePart &take);
+    void tell_column_of_contacts(const base::Column &column, const LinkSet &contacts, const TakePart &take);
+    void tell_records(const base::Column &column, const TakePart &take);
 
   private:
     /** What is read at least this often stays where all can read it: giving memory back and taking it again takes time. */
@@ -164,8 +165,12 @@ namespace dem
     void send_to_first(std::size_t from, std::vector<double> &numbers);
     /** Lines of a set before those of each rank, and behind the last's, of each law. */
     static std::vector<std::vector<std::size_t>> lines_of_ranks(const LinkSet &links, const SetShare &share);
-    void
-    with_column(base::Column &column, const LinkSet &links, const SetShare &share, const std::function<void()> &read);
+    /** @param lines of each rank, and behind the last, of each law */
+    void tell_column(const base::Column                          &column,
+                     std::size_t                                  numbers_of_line,
+                     const std::vector<std::vector<std::size_t>> &lines,
+                     const TakePart                              &take);
+    void tell_column(const base::Column &column, const LinkSet &links, const SetShare &share, const TakePart &take);
     /** Give back the memory of what others have, unless it is read again and again. */
     void take_small_pages_of_others(LinkSet &links, const SetShare &share) const;
     void take_small_pages_of_others(Particles &particles) const;

@@ -31,10 +31,12 @@ namespace postprocess
           return "then " + quoted(more_a, a) + ", now " + quoted(more_b, b);
         }
     }
-    /** Of one item; those of all items are added up, so that their order does not matter. */
+    /** Of one item, to which its bytes are to be added; the values of all items are added up, so that their order does not matter. */
+    Digest digest_of(const std::string &name) { return Digest().add(name).add("="); }
+
     std::uint64_t fingerprint_of(const std::string &name, const std::string_view bytes)
     {
-      return Digest().add(name).add("=").add(bytes).value();
+      return digest_of(name).add(bytes).value();
     }
 
     /** As stored: numbers of eight or four bytes, the least significant first. */
@@ -101,6 +103,18 @@ namespace postprocess
   void CheckpointWriter::column(const std::string &name, std::vector<std::int32_t> &values)
   {
     self->write(name, values.data(), values.size(), {values.size()});
+  }
+
+  void CheckpointWriter::column_in_parts(const std::string &name, const std::size_t count, const Tell &tell)
+  {
+    Digest digest = digest_of(self->prefix + name);
+    self->file.write_in_parts(self->prefix + name, count, [&](const Take &take) {
+      tell([&](const double *const numbers, const std::size_t more) {
+        take(numbers, more);
+        digest.add(bytes_of(numbers, more));
+      });
+    });
+    self->fingerprint += digest.value();
   }
 
   void CheckpointWriter::scalar(const std::string &name, double &value) { self->write(name, &value, 1, {}); }

@@ -33,6 +33,7 @@ namespace postprocess
 
     void column(const std::string &name, base::Column &values) override;
     void column(const std::string &name, std::vector<std::int32_t> &values) override;
+    void column_in_parts(const std::string &name, std::size_t count, const Tell &tell) override;
     void scalar(const std::string &name, double &value) override;
     void scalar(const std::string &name, std::int64_t &value) override;
     /** A text beside the state; it belongs to no group. */

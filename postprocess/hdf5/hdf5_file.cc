@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <fstream>
+#include <stdexcept>
 #include <system_error>
 
 namespace postprocess::hdf5
@@ -40,13 +41,14 @@ namespace postprocess::hdf5
       return properties;
     }
 
+    constexpr hsize_t chunk_values = hsize_t(1) << 17;
+
     /**
      * Chunks of about 1 MiB, which checksums need; one number or text lies in the header of its array, which has one too. No time
      * stamps, so that equal contents make equal files.
      */
     Handle array_properties(const Shape &shape, const std::size_t value_bytes)
     {
-      constexpr hsize_t     chunk_values = hsize_t(1) << 17;
       constexpr std::size_t header_holds = 60000; // bytes; HDF5 sets a limit of 64 KiB for all of it
 
       Handle properties(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
@@ -131,14 +133,53 @@ namespace postprocess::hdf5
       }
   }
 
+  Handle OutputFile::make_array(const std::string &name, const hid_t type_in_file, const Shape &shape)
+  {
+    const Handle space = make_space(shape), properties = array_properties(shape, H5Tget_size(type_in_file));
+    make_groups(name);
+    Handle array(H5Dcreate2(file, name.c_str(), type_in_file, space, H5P_DEFAULT, properties, H5P_DEFAULT), H5Dclose);
+    check(array.valid(), "\"" + name + "\"");
+    return array;
+  }
+
   void OutputFile::write_array(const std::string &name, const Type &type, const void *const values, const Shape &shape)
   {
-    const Handle space = make_space(shape), properties = array_properties(shape, H5Tget_size(type.in_file));
-    make_groups(name);
-    const Handle array(H5Dcreate2(file, name.c_str(), type.in_file, space, H5P_DEFAULT, properties, H5P_DEFAULT),
-                       H5Dclose);
-    check(array.valid() && H5Dwrite(array, type.in_memory, H5S_ALL, H5S_ALL, H5P_DEFAULT, values) >= 0,
-          "\"" + name + "\"");
+    const Handle array = make_array(name, type.in_file, shape);
+    check(H5Dwrite(array, type.in_memory, H5S_ALL, H5S_ALL, H5P_DEFAULT, values) >= 0, "\"" + name + "\"");
+  }
+
+  void
+  OutputFile::write_in_parts(const std::string &name, const std::size_t count, const base::StateVisitor::Tell &tell)
+  {
+    const Handle        array = make_array(name, H5T_IEEE_F64LE, {count}), row = make_space({count});
+    std::vector<double> waiting; // for the chunk to be whole: one that is written twice has its checksum made twice
+    std::size_t         written = 0;
+    const auto          write   = [&] {
+      const hsize_t begin = written, length = waiting.size();
+      const Handle  part = make_space({length});
+      check(H5Sselect_hyperslab(row, H5S_SELECT_SET, &begin, nullptr, &length, nullptr) >= 0 &&
+                         H5Dwrite(array, H5T_NATIVE_DOUBLE, part, row, H5P_DEFAULT, waiting.data()) >= 0,
+                       "\"" + name + "\"");
+      written += waiting.size();
+      waiting.clear();
+    };
+    tell([&](const double *numbers, std::size_t more) {
+      if (written + waiting.size() + more > count)
+        throw std::logic_error("hdf5: \"" + name + "\" has more numbers than were said");
+      while (more > 0)
+        {
+          const std::size_t taken = std::min<std::size_t>(more, chunk_values - waiting.size());
+          waiting.insert(waiting.end(), numbers, numbers + taken);
+          numbers += taken;
+          more -= taken;
+          if (waiting.size() == chunk_values)
+            write();
+        }
+    });
+    if (!waiting.empty())
+      write();
+    if (written != count)
+      throw std::logic_error("hdf5: \"" + name + "\" has fewer numbers than were said");
   }
 
   void OutputFile::write(const std::string &name, const double *const values, const Shape &shape)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/state.h"
 #include "postprocess/files/atomic_file.h"
 #include "postprocess/hdf5/hdf5_output_driver.h"
 
@@ -77,6 +78,13 @@ namespace postprocess::hdf5
     void write(const std::string &name, const double *values, const Shape &shape);
     void write(const std::string &name, const std::int32_t *values, const Shape &shape);
     void write(const std::string &name, const std::int64_t *values, const Shape &shape);
+    /**
+     * A row of numbers that come one part after the other: the bytes are those of the row written at once.
+     *
+     * @param tell hands parts to what it is given, in order, `count` numbers in all; what that throws, it lets through
+     * @throws std::logic_error for more or fewer numbers
+     */
+    void write_in_parts(const std::string &name, std::size_t count, const base::StateVisitor::Tell &tell);
     void write_text(const std::string &name, const std::string &text);
     void commit();
 
@@ -85,9 +93,10 @@ namespace postprocess::hdf5
     {
       hid_t in_memory, in_file;
     };
-    void make_groups(const std::string &name); ///< that the name lies in
-    void write_array(const std::string &name, const Type &type, const void *values, const Shape &shape);
-    void check(bool succeeded, const std::string &what) const; ///< @throws OutputError unless all went well
+    void   make_groups(const std::string &name); ///< that the name lies in
+    Handle make_array(const std::string &name, hid_t type_in_file, const Shape &shape);
+    void   write_array(const std::string &name, const Type &type, const void *values, const Shape &shape);
+    void   check(bool succeeded, const std::string &what) const; ///< @throws OutputError unless all went well
 
     QuietErrors           quiet;
     std::filesystem::path path;

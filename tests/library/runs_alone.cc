@@ -15,6 +15,7 @@ namespace
     void column(const std::string &, Values &)
     {
     }
+    void column_in_parts(const std::string &, std::size_t, const base::StateVisitor::Tell &) {}
     template <typename Value>
     void scalar(const std::string &, Value &)
     {
