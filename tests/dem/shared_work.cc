@@ -381,6 +381,47 @@ TEST_CASE("what a link does depends on no other link in its pack", "[dem][ranks]
     }
 }
 
+TEST_CASE("of what ranks share, a state is told in parts, and no rank is given a whole column", "[dem][ranks]")
+{
+  struct Parts : base::StateVisitor
+  {
+    void column(const std::string &name, base::Column &values) override { whole[name] = values.size(); }
+    void column(const std::string &, std::vector<std::int32_t> &) override {}
+    void column_in_parts(const std::string &name, const std::size_t count, const Tell &tell) override
+    {
+      std::size_t &most = longest[name], told = 0;
+      tell([&](const double *, const std::size_t more) {
+        most = std::max(most, more);
+        told += more;
+      });
+      complete = complete && told == count && most < count;
+    }
+    void scalar(const std::string &, double &) override {}
+    void scalar(const std::string &, std::int64_t &) override {}
+
+    std::map<std::string, std::size_t> whole, longest;
+    bool                               complete = true;
+  };
+  std::vector<Parts> seen(3);
+  rank_threads::run(seen.size(), [&](const std::shared_ptr<dem::Ranks> &ranks) {
+    omp_set_num_threads(1);
+    dem::Specimen body(bar(700), cluster::bonded(1.5), cluster::concrete());
+    body.share_among(ranks);
+    body.advance(3);
+    body.visit_state(seen[ranks->rank()]);
+  });
+  for (const Parts &of : seen)
+    {
+      CHECK(of.complete);
+      for (const char *name : {"bonds/force", "bonds/area", "particles/motion", "particles/velocity"})
+        {
+          INFO(name);
+          CHECK(of.longest.count(name) == 1);
+          CHECK(of.whole.count(name) == 0);
+        }
+    }
+}
+
 TEST_CASE("ranks that search for links and contacts together make the specimen of one", "[dem][ranks]")
 {
   // Bonded, of 700 particles in three bricks; loose and overlapping, so that contacts are there from the start; a cell of 27 in one brick,
