@@ -39,7 +39,8 @@ namespace apps
         share.owned          = 0;
         share.end_particle   = body.counts().particles;
         of_motion            = (bytes() - known * particles) / particles;
-        update = seconds_per_step(body, [&](const std::int64_t count) { body.advance(count); }) / (particles + links);
+        update               = seconds_per_step(body, [&](const std::int64_t count) { body.advance(count); }) /
+                 (static_cast<double>(dem::updates_per_particle) * particles + links);
       }
 
       double bytes(const dem::RankShare &share, const double particles) const

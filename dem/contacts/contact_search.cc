@@ -78,7 +78,7 @@ namespace dem
     return particles.cell.repeats() ? std::min(distance, std::max(margin, list_margin)) : distance;
   }
 
-  double ContactSearch::largest_displacement(const Particles &particles) const
+  double ContactSearch::largest_displacement(const Particles &particles, const SharedSearch &search) const
   {
     double          squared = 0, by_strain = 0;
     Eigen::Matrix3d stretch = Eigen::Matrix3d::Identity();
@@ -89,10 +89,10 @@ namespace dem
         const double shrinkage       = 1.0 - Eigen::JacobiSVD<Eigen::Matrix3d>(stretch).singularValues()[2];
         by_strain                    = 0.5 * std::max(shrinkage, 0.0) * reach();
       }
-    for (std::size_t i = 0; i < particles.count; ++i)
+    for (auto i = static_cast<std::size_t>(kept.begin); i < known_end(particles); ++i)
       squared =
         std::max(squared, (particles.position_of(i) - stretch * Eigen::Vector3d(&reference[3 * i])).squaredNorm());
-    return std::sqrt(squared) + by_strain;
+    return std::sqrt(search.largest(squared)) + by_strain;
   }
 
   namespace
@@ -115,7 +115,7 @@ namespace dem
                               const LinkSet      &contacts,
                               const SharedSearch &search)
   {
-    for (std::size_t i = 0; i < particles.count; ++i)
+    for (auto i = static_cast<std::size_t>(kept.begin); i < known_end(particles); ++i)
       std::copy_n(particles.pose_of(i), 3, &reference[3 * i]);
     if (particles.cell.repeats())
       reference_base.assign(particles.cell.base().data(), particles.cell.base().data() + 9);
@@ -152,7 +152,7 @@ namespace dem
     if (2 * path_of_list >= margin)
       {
         // The sum of largest steps overrates displacement (different particles, there and back): measure it before searching.
-        path_of_list = largest_displacement(particles);
+        path_of_list = largest_displacement(particles, search);
         if (2 * path_of_list >= 0.8 * margin)
           rebuild(particles, bonds, contacts, search);
       }

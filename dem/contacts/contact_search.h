@@ -56,11 +56,22 @@ namespace dem
 
     std::int64_t searches() const { return neighbour_searches; } ///< how often neighbours were searched so far
 
+    /** Where particles were at the last search, three numbers of each, of those that are known here [m]. */
+    base::Column  &places() { return reference; }
+    const PairsOf &known() const { return kept; }
+    /** Only these are known here from now on. */
+    void know(const PairsOf &these) { kept = these; }
+
     void visit_state(base::StateVisitor &visitor);
 
   private:
     void   rebuild(Particles &particles, const LinkSet &bonds, const LinkSet &contacts, const SharedSearch &search);
-    double largest_displacement(const Particles &particles) const;
+    double largest_displacement(const Particles &particles, const SharedSearch &search) const;
+    /** Behind the last particle that is known. */
+    std::size_t known_end(const Particles &particles) const
+    {
+      return std::min(particles.count, static_cast<std::size_t>(kept.end));
+    }
     double watched_gap(const Particles &particles, const std::array<std::int32_t, 3> &pair) const;
     /** Not below the distance of a pair that is watched for, of centres [m]. */
     double reach() const { return largest_diameter + std::max(margin, list_margin); }
@@ -68,6 +79,7 @@ namespace dem
     bool                      contacts_wait;
     std::vector<std::int32_t> watched;     ///< first, second, image of each pair, flattened
     base::Column              reference;   ///< positions at the last rebuild, three per particle [m]
+    PairsOf                   kept;        ///< particles of which it is known
     double                    margin;      ///< gap that unwatched pairs had at least at the last rebuild [m]
     double                    list_margin; ///< margin of the lists to come [m]
     double                    largest_diameter;

@@ -28,6 +28,18 @@ namespace dem
       pairs.end());
   }
 
+  double SharedSearch::largest(const double own) const
+  {
+    if (!gather)
+      return own;
+    std::vector<double>      of(particle_begin.size() - 1, own);
+    std::vector<std::size_t> begin;
+    for (std::size_t r = 0; r <= of.size(); ++r)
+      begin.push_back(r * sizeof(double));
+    gather(of.data(), begin);
+    return *std::max_element(of.begin(), of.end());
+  }
+
   std::vector<NeighbourPair> SharedSearch::of_all(std::vector<NeighbourPair> pairs) const
   {
     if (!gather)

@@ -29,6 +29,8 @@ namespace dem
     PairsOf own() const;
     /** Leave out pairs that another rank is to find. */
     void drop_others(std::vector<NeighbourPair> &pairs) const;
+    /** Of what each rank has found. */
+    double largest(double own) const;
     /** One rank's after the other's. */
     std::vector<NeighbourPair> of_all(std::vector<NeighbourPair> pairs) const;
 

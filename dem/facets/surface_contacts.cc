@@ -1,6 +1,7 @@
 #include "dem/facets/surface_contacts.h"
 
 #include "base/errors.h"
+#include "dem/core/memory_pages.h"
 
 #include <Eigen/Geometry>
 
@@ -151,7 +152,7 @@ namespace dem
   void SurfaceContacts::find_bonds(const Particles &particles)
   {
     if (holding() && records.empty())
-      records.assign(record_size * particles.count, 0.0);
+      assign_zeros(records, record_size * particles.count);
     for (SurfaceBonds &glue : glues)
       {
         const auto s = static_cast<std::size_t>(glue.surface());

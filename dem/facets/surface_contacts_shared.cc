@@ -1,5 +1,6 @@
 // Contacts with surfaces of several ranks: who has them, and what all know of them (doc/theory/ranks.md, 3).
 
+#include "dem/core/memory_pages.h"
 #include "dem/facets/crossing.h"
 #include "dem/facets/surface_contacts.h"
 
@@ -76,7 +77,7 @@ namespace dem
           adding.push_back(r);
       }
     if (total > 0 && records.empty())
-      records.assign(record_size * particles.count, 0.0);
+      assign_zeros(records, record_size * particles.count);
     const auto add = [&, from = old, to = old_end] {
       settle(std::move(now), from, to, particles, shape);
       hand_out(particles, shape);

@@ -1,5 +1,6 @@
 #include "dem/genesis/growing_assembly.h"
 
+#include "dem/core/memory_pages.h"
 #include "dem/model/materials.h"
 #include "dem/specimen/shared_work.h"
 
@@ -45,7 +46,7 @@ namespace dem
   {
     for (std::size_t i = 0; i < particles.count; ++i)
       slot[static_cast<std::size_t>(particles.number[i])] = static_cast<std::int32_t>(i);
-    particles.pushed.assign(record_size * particles.count, 0.0);
+    assign_zeros(particles.pushed, record_size * particles.count);
     make_links(none, {}, particles, shape, *law);
     add_contacts(contacts, {}, particles, shape, *law);
     fit_to_radii();

@@ -120,7 +120,7 @@ namespace dem
 
   private:
     void   share_out();      ///< what is not shared out among ranks yet
-    void   share_out_anew(); ///< and all of it before some steps, in tests
+    void   share_out_anew(); ///< and all of it where contacts have made shares uneven, or in tests
     void   gather_places();
     void   find_forces();
     void   push_from_walls();
@@ -130,6 +130,7 @@ namespace dem
     void   fit_contacts(); ///< reference lengths and areas, the shear displacements as they are
     void   fit_contact(std::size_t link);
     void   set_masses();
+    void   take_radii_of_poses(); ///< where they are kept apart, after they changed
     void   look_for_walls();
     double wall_stiffness(double radius) const;
     /** Net force of links and walls on a particle (3) [N] | couple (3) [N m], and the sum of their sizes [N]. */

@@ -236,6 +236,7 @@ namespace dem
           std::copy_n(centre.at(number).data(), 3, &particles.pose[record_size * i]);
       }
     std::fill(particles.motion.begin(), particles.motion.end(), 0.0); // forces were found after it
+    take_radii_of_poses();
     fit_to_radii();
     growth += sum_contacts().stored - before;
     forces_known  = false;
@@ -255,6 +256,7 @@ namespace dem
         r *= factor;
       }
     std::fill(particles.motion.begin(), particles.motion.end(), 0.0);
+    take_radii_of_poses();
     fit_contacts();
     const double closer = std::max(factor - 1, 0.0) * largest; // as if each had moved towards the other
     if (search.moved(closer, 0))

@@ -22,7 +22,7 @@ namespace dem
   void GrowingAssembly::share_out()
   {
     if (shared)
-      shared->plan(particles, none, contacts, {});
+      shared->plan(particles, none, contacts, search, {}, {}, {});
   }
 
   void GrowingAssembly::share_out_anew()
@@ -30,7 +30,7 @@ namespace dem
     if (shared && shared->changes_ranges(step_count))
       {
         gather();
-        shared->change_ranges(none, contacts);
+        shared->change_ranges(step_count, none, contacts);
       }
     share_out();
   }
@@ -48,6 +48,13 @@ namespace dem
     shared->gather_particles(particles);
     shared->gather_contacts(contacts);
     shared->gather_column(particles.pushed);
+    shared->gather_search(search);
+  }
+
+  void GrowingAssembly::take_radii_of_poses()
+  {
+    if (!particles.radii.empty())
+      particles.keep_radii();
   }
 
   std::pair<std::size_t, std::size_t> GrowingAssembly::known_contacts() const

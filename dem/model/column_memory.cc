@@ -11,8 +11,9 @@ namespace dem
       bytes -= sizeof(double) * column.capacity();
       bytes += resident_bytes(column);
     };
-    for (const base::Column *column : records_of_motion(particles))
+    for (const base::Column *column : records_of_state(particles))
       count(*column);
+    count(particles.reference);
     for (const LinkSet *links : sets)
       {
         bytes += links->bytes();

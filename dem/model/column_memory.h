@@ -21,11 +21,28 @@ namespace dem
       use(links.moment, std::size_t{half_record_size});
   }
 
-  /** Records of particles that only those need who move them, or update links that end in them; places all know. */
+  /** Records of particles that only those need who update links that end in them. */
+  template <typename Of>
+  auto records_of_places(Of &particles)
+  {
+    return std::vector{&particles.pose, &particles.motion};
+  }
+
+  /** Records of particles that only those need who move them. */
   template <typename Of>
   auto records_of_motion(Of &particles)
   {
-    return std::vector{&particles.motion, &particles.velocity, &particles.force, &particles.inverse_mass};
+    return std::vector{&particles.velocity, &particles.force, &particles.inverse_mass};
+  }
+
+  /** Both. */
+  template <typename Of>
+  auto records_of_state(Of &particles)
+  {
+    auto       all   = records_of_places(particles);
+    const auto other = records_of_motion(particles);
+    all.insert(all.end(), other.begin(), other.end());
+    return all;
   }
 
   /** Memory that particles and links take up in this process at present [B]. */

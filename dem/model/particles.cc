@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <utility>
 
 namespace dem
 {
@@ -97,12 +99,23 @@ namespace dem
     return p;
   }
 
+  void Particles::keep_radii()
+  {
+    radii.clear(); // poses have them
+    std::vector<double> now(count);
+    for (std::size_t i = 0; i < count; ++i)
+      now[i] = radius_of(i);
+    if (std::adjacent_find(now.begin(), now.end(), std::not_equal_to<>()) == now.end())
+      now = std::vector<double>(1, now.front());
+    radii = std::move(now);
+  }
+
   std::size_t Particles::bytes() const
   {
     std::size_t doubles = 0;
     for (const base::Column *column : {&pose, &motion, &velocity, &force, &inverse_mass, &reference, &mass, &inertia})
       doubles += column->capacity();
-    return doubles * sizeof(double) +
+    return (doubles + radii.capacity()) * sizeof(double) +
            (number.capacity() + made_links.capacity() + broken_links.capacity() + material.capacity()) *
              sizeof(std::int32_t) +
            cell.bytes();

@@ -40,6 +40,8 @@ namespace dem
     std::vector<std::int32_t> material;     ///< number of each particle's material; empty: there is one
     std::vector<JointCut>     cuts;         ///< between particles by their numbers in the packing
     std::int32_t first_joint = 1; ///< number of the pair that links of the first joint are of, after those of materials
+    std::vector<double>
+      radii; ///< of each particle, or one of all [m], where poses of others have no memory here; else none
     std::vector<std::int32_t>
       body; ///< what each particle moves with: a rigid clump's number, alone or left; empty: all alone
 
@@ -60,9 +62,15 @@ namespace dem
     /** Number of the pair that a link between two is of: of their materials, or of the joint between them. */
     std::int32_t pair_of(std::int32_t one, std::int32_t other) const;
 
-    const double   *pose_of(const std::size_t i) const { return &pose[record_size * i]; }
-    double          radius_of(const std::size_t i) const { return pose[record_size * i + 6]; }
+    const double *pose_of(const std::size_t i) const { return &pose[record_size * i]; }
+    double        radius_of(const std::size_t i) const
+    {
+      return radii.empty() ? pose[record_size * i + 6] : radii[radii.size() == 1 ? 0 : i];
+    }
     Eigen::Vector3d position_of(const std::size_t i) const { return Eigen::Vector3d(&pose[record_size * i]); }
+
+    /** Keep radii apart from poses, as they are there now. @pre all poses are known */
+    void keep_radii();
 
     std::size_t bytes() const;
     void        visit_state(base::StateVisitor &visitor);

@@ -8,9 +8,10 @@ namespace dem
 {
   std::vector<std::int64_t> work_of_bricks(const std::size_t particles, const LinkEnds &links)
   {
-    std::vector<std::int64_t> work(particle_blocks(particles), static_cast<std::int64_t>(particles_per_brick));
+    constexpr auto            of_brick = static_cast<std::int64_t>(particles_per_brick);
+    std::vector<std::int64_t> work(particle_blocks(particles), updates_per_particle * of_brick);
     if (particles % particles_per_brick != 0)
-      work.back() = static_cast<std::int64_t>(particles % particles_per_brick);
+      work.back() = updates_per_particle * static_cast<std::int64_t>(particles % particles_per_brick);
     for (const std::int32_t owner : links.first)
       ++work.at(brick_of(owner));
     return work;

@@ -24,7 +24,10 @@ namespace dem
     return static_cast<std::size_t>(particle) / particles_per_brick;
   }
 
-  /** Work of each brick in updates of a link: its particles, each as one, and the links that it owns, which are those whose first end it has. */
+  /** What the pass of a particle costs, in updates of a link (doc/theory/ranks.md, 3). */
+  constexpr std::int64_t updates_per_particle = 3;
+
+  /** Work of each brick in updates of a link: its particles, and the links that it owns, which are those whose first end it has. */
   std::vector<std::int64_t> work_of_bricks(std::size_t particles, const LinkEnds &links);
 
   /**

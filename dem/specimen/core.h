@@ -116,8 +116,8 @@ namespace dem
     void tell_first(const LinkSet &links, const SharedWork::Tell &tell, const SharedWork::Take &take);
     /** The same of particles. */
     void tell_first_of_particles(const SharedWork::Tell &tell, const SharedWork::Take &take);
-    /** Before the first rank reads where all of them are. */
-    void give_places_to_first();
+    /** Before it is read where particles began. */
+    void gather_constants();
     /** What blocks of links have summed up. */
     void gather_accounts();
     /** Whether this process has the state of all links of a set, or of both: then it reads without the others. */

@@ -29,9 +29,11 @@ namespace dem
     /** A bond holds no longer: its ends count it among their broken links. */
     void note(Particles &particles, const LinkSet &bonds, const LinkReader &link, std::size_t number);
 
-    std::size_t     count() const { return ends.size() / 2; }    ///< of bonds that are gone
-    double          dissipated() const { return damage_energy; } ///< by their damage [J]
-    const BreakLog &events() const { return breaks; }
+    std::size_t count() const { return ends.size() / 2; } ///< of bonds that are gone
+    /** Two particles of each of these. */
+    const std::vector<std::int32_t> &ends_of_gone() const { return ends; }
+    double                           dissipated() const { return damage_energy; } ///< by their damage [J]
+    const BreakLog                  &events() const { return breaks; }
     /** How many have an end among these. @param is_of by the particles' order */
     std::size_t count_of(const std::vector<bool> &is_of) const;
     /** Append them to the links of an observer. @param pairs whether links carry the number of their pair of materials */

@@ -28,20 +28,18 @@ namespace dem
   void GatheredState::column(const std::string &name, base::Column &values)
   {
     SharedWork &shared   = *core.shared;
-    const auto  moving   = records_of_motion(core.particles);
+    const auto  records  = records_of_state(core.particles);
     const auto  in_parts = [&](const auto &tell) { inner.column_in_parts(name, values.size(), tell); };
     if (is_of_state(core.bonds, values))
       in_parts([&](const Take &take) { shared.tell_column_of_bonds(values, core.bonds, take); });
     else if (is_of_state(core.contacts, values))
       in_parts([&](const Take &take) { shared.tell_column_of_contacts(values, core.contacts, take); });
-    else if (std::find(moving.begin(), moving.end(), &values) != moving.end())
+    else if (std::find(records.begin(), records.end(), &values) != records.end())
       in_parts([&](const Take &take) { shared.tell_records(values, take); });
+    else if (&values == &core.search.places())
+      in_parts([&](const Take &take) { shared.tell_places(core.search, take); });
     else
-      {
-        if (&values == &core.particles.pose)
-          shared.gather_column(values);
-        inner.column(name, values);
-      }
+      inner.column(name, values);
   }
 
   void GatheredState::scalar(const std::string &name, std::int64_t &value)

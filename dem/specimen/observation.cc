@@ -193,6 +193,7 @@ namespace dem
   Eigen::Vector3d ObservedSpecimen::displacement(const std::size_t particle) const
   {
     self->gather_places();
+    self->gather_constants();
     return displacement_of(self->particles, static_cast<std::size_t>(self->slot.at(particle)));
   }
 

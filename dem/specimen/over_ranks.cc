@@ -114,12 +114,6 @@ namespace dem
 
   SharedSearch SpecimenCore::search_with_others() { return shares() ? shared->search() : SharedSearch(); }
 
-  void SpecimenCore::give_places_to_first()
-  {
-    if (shares())
-      shared->give_places_to_first(particles);
-  }
-
   void SpecimenCore::gather_accounts()
   {
     if (shares())
@@ -189,10 +183,14 @@ namespace dem
   {
     const bool changes = shared->changes_ranges(step_count);
     if (changes || !bonds.in_parts) // others may move other particles from now on
-      gather();
+      {
+        gather();
+        if (shares())
+          shared->gather_search(search);
+      }
     if (changes)
-      shared->change_ranges(bonds, contacts);
-    shared->plan(particles, bonds, contacts, moved_by_all());
+      shared->change_ranges(step_count, bonds, contacts);
+    shared->plan(particles, bonds, contacts, search, read_by_surfaces(), moved_by_all(), cracks.ends_of_gone());
   }
 
   /** Ranks that share all else move all clumps each, which may lie across their bricks. */
@@ -204,6 +202,12 @@ namespace dem
         accounts.back() = {};
       }
     clumps.move(particles, halves, parameters.damping, parameters.gravity, accounts);
+  }
+
+  void SpecimenCore::gather_constants()
+  {
+    if (shares())
+      shared->gather_constants(particles);
   }
 
   std::pair<std::size_t, std::size_t> SpecimenCore::own_particles() const

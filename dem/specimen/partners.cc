@@ -4,6 +4,7 @@
 
 #include "base/errors.h"
 #include "base/number_text.h"
+#include "dem/core/memory_pages.h"
 #include "dem/measures/link_measures.h"
 #include "dem/specimen/core.h"
 #include "dem/specimen/grips.h"
@@ -119,7 +120,7 @@ namespace dem
       throw base::InputError("Forces: a periodic cell has nothing that could hold against them.");
     Particles &p = core->particles;
     if (p.pushed.empty())
-      p.pushed.assign(record_size * p.count, 0.0);
+      assign_zeros(p.pushed, record_size * p.count);
     double *push = &p.pushed[record_size * static_cast<std::size_t>(core->slot.at(particle))];
     for (int c = 0; c < 3; ++c)
       {

@@ -52,12 +52,15 @@ namespace dem
     const double lines = static_cast<double>(core.bonds.alive + core.contacts.alive),
                  owned = static_cast<double>(share.owned), updated = owned + static_cast<double>(share.copied.size());
     double held      = lines > 0 ? (shared * std::min(updated, lines) + listed * std::min(owned, lines)) / lines : 0;
-    double of_motion = 0;
+    double of_places = 0, of_motion = bytes_of(core.particles.reference);
+    for (const base::Column *column : records_of_places(core.particles))
+      of_places += bytes_of(*column);
     for (const base::Column *column : records_of_motion(core.particles))
       of_motion += bytes_of(*column);
-    held += of_motion * static_cast<double>(share.end_particle - share.first_particle + share.ghosts.size()) /
+    const double own = static_cast<double>(share.end_particle - share.first_particle);
+    held += (of_motion * own + of_places * (own + static_cast<double>(share.ghosts.size()))) /
             static_cast<double>(core.particles.count);
-    return static_cast<std::size_t>(all - shared - listed - of_motion + held);
+    return static_cast<std::size_t>(all - shared - listed - of_motion - of_places + held);
   }
 
   std::vector<RankMemory> memory_of_ranks(const ObservedSpecimen &specimen)

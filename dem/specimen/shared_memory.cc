@@ -8,7 +8,6 @@
 #include "dem/specimen/shared_work.h"
 
 #include <algorithm>
-#include <cstring>
 #include <limits>
 #include <stdexcept>
 #include <utility>
@@ -72,7 +71,7 @@ namespace dem
 
   void SharedWork::take_small_pages_of_others(Particles &particles) const
   {
-    for (base::Column *column : records_of_motion(particles))
+    for (base::Column *column : records_of_state(particles))
       {
         take_small_pages(*column, 0, record_size * static_cast<std::size_t>(first()));
         take_small_pages(*column, record_size * static_cast<std::size_t>(last()), record_size * particles.count);
@@ -108,78 +107,67 @@ namespace dem
     links.keep_others_of(first(), last());
   }
 
-  void SharedWork::drop_others(Particles &particles)
+  void SharedWork::keep_own(Particles                       &particles,
+                            const std::vector<std::int32_t> &by_all,
+                            const std::vector<std::int32_t> &moved_by_all)
   {
-    for (base::Column *column : records_of_motion(particles))
-      drop_records(*column, particles.count);
-  }
-
-  void SharedWork::keep_own(Particles &particles, const std::vector<std::int32_t> &also)
-  {
+    given_back = std::exchange(planned_anew, false) || given_back;
     if (lean || !may_go(since_read))
       return;
-    find_kept(also);
-    drop_others(particles);
-    lean = masses_absent = given_back = true;
-    with_masses.clear();
+    hold_own(particles, by_all, moved_by_all);
+    given_back = true;
   }
 
-  void SharedWork::find_kept(const std::vector<std::int32_t> &also)
+  void SharedWork::hold_own(Particles                       &particles,
+                            const std::vector<std::int32_t> &by_all,
+                            const std::vector<std::int32_t> &moved_by_all)
   {
-    kept = also;
+    if (particles.radii.empty())
+      particles.keep_radii();
+    std::vector<std::int32_t> kept = moved_by_all;
+    std::sort(kept.begin(), kept.end());
+    for (base::Column *column : records_of_motion(particles))
+      drop_particles(*column, record_size, kept);
+    kept.insert(kept.end(), by_all.begin(), by_all.end());
     for (const std::vector<std::int32_t> &of : ghosts)
       kept.insert(kept.end(), of.begin(), of.end());
     std::sort(kept.begin(), kept.end());
+    for (base::Column *column : records_of_places(particles))
+      drop_particles(*column, record_size, kept);
+    drop_particles(particles.reference, 3, kept);
+    lean = places_stale = rates_stale = constants_absent = true;
+    with_masses.clear();
   }
 
-  void SharedWork::drop_records(base::Column &column, const std::size_t particles) const
+  void SharedWork::hold_own(ContactSearch &search) const
   {
-    const auto drop_between = [&](std::size_t at, const std::size_t end) {
-      for (auto next = std::lower_bound(kept.begin(), kept.end(), static_cast<std::int32_t>(at));
-           next != kept.end() && static_cast<std::size_t>(*next) < end; ++next)
+    drop_particles(search.places(), 3, {});
+    search.know({first(), last()});
+  }
+
+  void SharedWork::drop_particles(base::Column                    &column,
+                                  const std::size_t                numbers_of_each,
+                                  const std::vector<std::int32_t> &kept) const
+  {
+    const auto drop_between = [&](std::int32_t at, const std::int32_t end) {
+      const auto number = [&](const std::int32_t i) { return numbers_of_each * static_cast<std::size_t>(i); };
+      for (auto next = std::lower_bound(kept.begin(), kept.end(), at); next != kept.end() && *next < end; ++next)
         {
-          const auto keep = static_cast<std::size_t>(*next);
-          if (keep > at)
-            drop(column, record_size * at, record_size * keep);
-          at = keep + 1;
+          if (*next > at)
+            drop(column, number(at), number(*next));
+          at = *next + 1;
         }
       if (at < end)
-        drop(column, record_size * at, record_size * end);
+        drop(column, number(at), number(end));
     };
-    drop_between(0, static_cast<std::size_t>(first()));
-    drop_between(static_cast<std::size_t>(last()), particles);
+    drop_between(0, first());
+    drop_between(last(), particle_begin.back());
   }
 
   // --- To read all of it ---
 
-  void SharedWork::gather_on_first(char *array, const std::vector<std::size_t> &begin)
-  {
-    constexpr std::size_t at_once = std::size_t(8) << 20; // a message is a copy
-    for (std::size_t r = 1; r < size(); ++r)
-      for (std::size_t at = begin[r]; at < begin[r + 1]; at += at_once)
-        {
-          std::vector<RankMessage> from_here, at_first;
-          const std::size_t        part = std::min(at_once, begin[r + 1] - at);
-          if (rank() == r)
-            {
-              std::memcpy(
-                from_here.emplace_back(RankMessage{0, std::vector<double>(part / sizeof(double))}).numbers.data(),
-                array + at, part);
-              bytes += static_cast<std::int64_t>(part);
-              ++messages;
-            }
-          if (rank() == 0)
-            at_first.push_back({r, std::vector<double>(part / sizeof(double))});
-          ranks->exchange(from_here, at_first);
-          if (rank() == 0)
-            std::memcpy(array + at, at_first.front().numbers.data(), part);
-        }
-  }
-
   void SharedWork::gather(void *array, const std::vector<std::size_t> &begin)
   {
-    if (to_first)
-      return gather_on_first(static_cast<char *>(array), begin);
     bytes += static_cast<std::int64_t>(begin[rank() + 1] - begin[rank()]);
     ++messages;
     ranks->gather(array, begin);
@@ -217,9 +205,25 @@ namespace dem
         gather_column(particles.velocity);
         gather_column(particles.force);
       }
-    if (std::exchange(masses_absent, false))
-      gather_column(particles.inverse_mass);
+    gather_constants(particles);
     lean = false;
+  }
+
+  void SharedWork::gather_constants(Particles &particles)
+  {
+    if (!std::exchange(constants_absent, false))
+      return;
+    gather_column(particles.inverse_mass);
+    gather_numbers(particles.reference.data(), 3);
+    lean = false;
+  }
+
+  void SharedWork::gather_search(ContactSearch &search)
+  {
+    if (search.known().end > last() || search.known().begin < first()) // all have all of it
+      return;
+    gather_numbers(search.places().data(), 3);
+    search.know({});
   }
 
   void SharedWork::gather_blocks(void *column, const std::size_t bytes_of_block, const SetShare &share)
@@ -386,15 +390,6 @@ namespace dem
     tell_first({particle_begin.begin(), particle_begin.end()}, tell, take);
   }
 
-  void SharedWork::give_places_to_first(Particles &particles)
-  {
-    if (!lacks_places())
-      return;
-    to_first = true;
-    gather_column(particles.pose);
-    to_first = false;
-  }
-
   // --- One column of it ---
 
   void SharedWork::tell_column(const base::Column                          &column,
@@ -448,9 +443,14 @@ namespace dem
 
   void SharedWork::tell_records(const base::Column &column, const TakePart &take)
   {
-    if (places_stale || rates_stale || masses_absent)
+    if (lacks_particles())
       tell_column(column, record_size, {{particle_begin.begin(), particle_begin.end()}}, take);
     else
       take(column.data(), column.size());
+  }
+
+  void SharedWork::tell_places(ContactSearch &search, const TakePart &take)
+  {
+    tell_column(search.places(), 3, {{particle_begin.begin(), particle_begin.end()}}, take);
   }
 } // namespace dem

@@ -11,25 +11,32 @@ namespace dem
 {
   namespace
   {
-    /** Numbers of a record that say something: three and three. */
-    constexpr std::size_t exchanged = 6;
+    /** Numbers of a record that say something: three and three, and of a pose the radius. */
+    constexpr std::size_t exchanged = 7;
+    /** Of those that ranks have who know the radius. */
+    constexpr std::size_t changing = 6;
 
     /** What records of some particles say, one after the other. */
-    void put_records(const std::vector<base::Column *> &columns, const std::vector<std::int32_t> &of, double *numbers)
+    void put_records(const std::vector<base::Column *> &columns,
+                     const std::vector<std::int32_t>   &of,
+                     const std::size_t                  numbers_of_each,
+                     double                            *numbers)
     {
       for (const std::int32_t i : of)
         for (const base::Column *column : columns)
-          numbers = std::copy_n(&(*column)[record_size * static_cast<std::size_t>(i)], exchanged, numbers);
+          numbers = std::copy_n(&(*column)[record_size * static_cast<std::size_t>(i)], numbers_of_each, numbers);
     }
 
-    void
-    take_records(const std::vector<base::Column *> &columns, const std::vector<std::int32_t> &of, const double *numbers)
+    void take_records(const std::vector<base::Column *> &columns,
+                      const std::vector<std::int32_t>   &of,
+                      const std::size_t                  numbers_of_each,
+                      const double                      *numbers)
     {
       for (const std::int32_t i : of)
         for (base::Column *column : columns)
           {
-            std::copy_n(numbers, exchanged, &(*column)[record_size * static_cast<std::size_t>(i)]);
-            numbers += exchanged;
+            std::copy_n(numbers, numbers_of_each, &(*column)[record_size * static_cast<std::size_t>(i)]);
+            numbers += numbers_of_each;
           }
     }
 
@@ -149,7 +156,7 @@ namespace dem
   {
     places_stale = rates_stale = true;
     known.clear();
-    keep_own(particles, moved_by_all);
+    keep_own(particles, by_all, moved_by_all);
     std::vector<std::size_t> begin;
     for (const std::size_t brick : brick_begin)
       begin.push_back(brick * sizeof(ParticleBlockAccount));
@@ -158,13 +165,13 @@ namespace dem
     const std::vector<base::Column *> columns = {&particles.pose, &particles.motion};
     for (RankMessage &message : out)
       {
-        put_records(columns, sent[message.rank], message.numbers.data());
+        put_records(columns, sent[message.rank], changing, message.numbers.data());
         bytes += static_cast<std::int64_t>(sizeof(double) * message.numbers.size());
         ++messages;
       }
     ranks->exchange(out, in);
     for (const RankMessage &message : in)
-      take_records(columns, ghosts[message.rank], message.numbers.data());
+      take_records(columns, ghosts[message.rank], changing, message.numbers.data());
     if (!by_all.empty())
       gather_records({&particles.pose, &particles.motion}, by_all);
   }
@@ -208,8 +215,8 @@ namespace dem
     for (const std::int32_t particle : particle_begin)
       begin.push_back(static_cast<std::size_t>(std::lower_bound(of.begin(), of.end(), particle) - of.begin()) *
                       exchanged * columns.size() * sizeof(double));
-    put_records(columns, of, all.data());
+    put_records(columns, of, exchanged, all.data());
     gather(all.data(), begin);
-    take_records(columns, of, all.data());
+    take_records(columns, of, exchanged, all.data());
   }
 } // namespace dem

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "dem/contacts/shared_search.h"
+#include "dem/contacts/contact_search.h"
 #include "dem/facets/surface_contacts.h"
 #include "dem/kernels/particle_pass.h"
 #include "dem/model/links.h"
@@ -23,9 +23,9 @@ namespace dem
    * updates the blocks of links that begin there, with copies of others that its particles need. Blocks and packs of links are the same on
    * all, so every number has the bits that it has on one.
    *
-   * All know which links there are and what they join. What a link remembers and does, those have who update it; the memory for others' stays
-   * reserved, and is given back to the system until something is gathered there. What others have computed is out of date here, or absent,
-   * until it is exchanged or gathered.
+   * All know which particles and links there are, and what links join. What a link remembers and does, those have who update it, and where a
+   * particle is and how it moves, those who move it or update its links; the memory for others' stays reserved, and is given back to the system
+   * until something is gathered there. What others have computed is out of date here, or absent, until it is exchanged or gathered.
    *
    * All members but the readings are called by all ranks, in the same order.
    */
@@ -42,14 +42,21 @@ namespace dem
     // --- What is whose ---
 
     /**
-     * Share out sets of links that have been sorted out anew, if any; where bonds are, others' links take no memory from here on.
-     * @pre such a set is up to date, and with bonds all particles are @param moved_by_all as of share_motion()
+     * Share out sets of links that have been sorted out anew, if any; where bonds are, others' links and particles take no memory from here on.
+     * @pre such a set is up to date, and with bonds all particles are, and the search @param by_all @param moved_by_all as of share_motion()
+     * @param ends_of_gone two of each bond that is gone: a rank that shows the first of them knows where the second is
      */
-    void plan(Particles &particles, LinkSet &bonds, LinkSet &contacts, const std::vector<std::int32_t> &moved_by_all);
-    /** Whether ranges are to be changed before a step, given by its number. */
-    bool changes_ranges(std::int64_t step) const { return move_every > 0 && step > 0 && step % move_every == 0; }
+    void plan(Particles                       &particles,
+              LinkSet                         &bonds,
+              LinkSet                         &contacts,
+              ContactSearch                   &search,
+              const std::vector<std::int32_t> &by_all,
+              const std::vector<std::int32_t> &moved_by_all,
+              const std::vector<std::int32_t> &ends_of_gone);
+    /** Whether ranges are to be changed before a step, given by its number: in tests, and where contacts have made them uneven. */
+    bool changes_ranges(const std::int64_t step) const { return uneven || moves_ranges(step); }
     /** Change them with the next plan(). @pre all is up to date */
-    void           change_ranges(LinkSet &bonds, LinkSet &contacts);
+    void           change_ranges(std::int64_t step, LinkSet &bonds, LinkSet &contacts);
     bool           planned() const { return !brick_begin.empty(); }
     ParticleBlocks bricks() const { return {brick_begin[rank()], brick_begin[rank() + 1]}; }
     std::int32_t   first() const { return particle_begin[rank()]; }    ///< particle of this rank
@@ -93,7 +100,7 @@ namespace dem
 
     /** Whether some of it is out of date here, or absent. */
     bool lacks_places() const { return places_stale; }
-    bool lacks_particles() const { return places_stale || rates_stale || masses_absent; }
+    bool lacks_particles() const { return places_stale || rates_stale || constants_absent; }
     bool lacks_bonds() const { return of_bonds.stale; }
     bool lacks_contacts() const { return of_contacts.stale; }
     void gather_places(Particles &particles); ///< and the motion of the last step
@@ -102,7 +109,11 @@ namespace dem
     /** Some numbers of each particle, one particle after the other. */
     void gather_numbers(double *all, std::size_t of_each);
     void gather_column(base::Column &records) { gather_numbers(records.data(), record_size); }
+    /** Where particles began, and their inverse masses. */
+    void gather_constants(Particles &particles);
     void gather_particles(Particles &particles);
+    /** Where they were when neighbours were last sought. */
+    void gather_search(ContactSearch &search);
     void gather_bonds(LinkSet &links) { gather_links(links, of_bonds); }
     void gather_contacts(LinkSet &links) { gather_links(links, of_contacts); }
     void gather_accounts(LinkSet &bonds, LinkSet &contacts);
@@ -120,14 +131,13 @@ namespace dem
     void tell_first_of_bonds(const LinkSet &bonds, const Tell &tell, const Take &take);
     void tell_first_of_contacts(const LinkSet &contacts, const Tell &tell, const Take &take);
     void tell_first_of_particles(const Tell &tell, const Take &take);
-    /** Let the first rank alone know where particles are, until the next step; for the others they stay where they knew them last. */
-    void give_places_to_first(Particles &particles);
     bool is_first() const { return rank() == 0; }
-    /** Tell all ranks one column of a set, or of particles' records, in its order, of few lines at a time. */
+    /** Tell all ranks one column of a set, of particles' records or of the search, in its order, of few lines at a time. */
     using TakePart = std::function<void(const double *numbers, std::size_t count)>;
     void tell_column_of_bonds(const base::Column &column, const LinkSet &bonds, const TakePart &take);
     void tell_column_of_contacts(const base::Column &column, const LinkSet &contacts, const TakePart &take);
     void tell_records(const base::Column &column, const TakePart &take);
+    void tell_places(ContactSearch &search, const TakePart &take);
 
   private:
     /** What is read at least this often stays where all can read it: giving memory back and taking it again takes time. */
@@ -143,13 +153,22 @@ namespace dem
       std::int64_t                          since_read = 0; ///< steps since they were made or gathered
     };
 
+    /** A rank may do this much more, over the mean, than when ranges were chosen. */
+    static constexpr double most_uneven = 1.1;
+
     std::size_t rank() const { return ranks->rank(); }
     std::size_t size() const { return ranks->size(); }
-    void        choose_ranges(const Particles &particles, const LinkSet &bonds, const LinkSet &contacts);
-    void        share_out(LinkSet &links, SetShare &share) const;
+    bool moves_ranges(const std::int64_t step) const { return move_every > 0 && step > 0 && step % move_every == 0; }
+    void choose_ranges(const Particles &particles, const LinkSet &bonds, const LinkSet &contacts);
+    void share_out(LinkSet &links, SetShare &share) const;
     /** Whole packs of others' blocks in which a link ends in a particle of this rank. */
     void append_copies(LinkSet &links, const SetShare &share) const;
-    void find_ghosts(const Particles &particles, const LinkSet &bonds, const LinkSet &contacts);
+    void find_ghosts(const Particles                 &particles,
+                     const LinkSet                   &bonds,
+                     const LinkSet                   &contacts,
+                     const std::vector<std::int32_t> &ends_of_gone);
+    /** Work of the rank that has most, over the mean. */
+    double largest_work(const LinkSet &bonds, const LinkSet &contacts) const;
     /** For an audit. @throws base::NumericalError naming a link of which this rank has another copy than its owner, to the last bit */
     void compare_copies(const LinkSet &links, const SetShare &share, const Particles &particles);
     /** Each rank's part of columns of so many bytes a block, all gathered. */
@@ -178,18 +197,22 @@ namespace dem
     /** From now on only what this rank updates. */
     void hold_own(LinkSet &links, SetShare &share);
     void drop_others(LinkSet &links);
-    void drop_others(Particles &particles);
-    void keep_own(Particles &particles, const std::vector<std::int32_t> &also);
-    /** Others' particles that have memory from now on: ghosts, and these. */
-    void find_kept(const std::vector<std::int32_t> &also);
+    void keep_own(Particles                       &particles,
+                  const std::vector<std::int32_t> &by_all,
+                  const std::vector<std::int32_t> &moved_by_all);
+    /** From now on only its particles, what its links need of others, and what all know of some. */
+    void hold_own(Particles                       &particles,
+                  const std::vector<std::int32_t> &by_all,
+                  const std::vector<std::int32_t> &moved_by_all);
+    void hold_own(ContactSearch &search) const;
     /** Count a step. @return whether what was made or gathered so many steps ago may go */
     bool may_go(std::int64_t &since_read) const;
     void drop(base::Column &column, std::size_t begin, std::size_t end) const;
     void
     drop_lines(base::Column &column, std::size_t numbers_of_line, const LinkSet &links, const LinkPart &among) const;
-    void drop_records(base::Column &column, std::size_t particles) const;
+    /** Of others but for some. @param kept ascending, some of them several times */
+    void drop_particles(base::Column &column, std::size_t numbers_of_each, const std::vector<std::int32_t> &kept) const;
     void gather(void *array, const std::vector<std::size_t> &begin);
-    void gather_on_first(char *array, const std::vector<std::size_t> &begin);
     /** Records of some particles of which each rank has its own. @param of ascending @param numbers of each record that count */
     void        gather_records(const std::vector<base::Column *> &columns, const std::vector<std::int32_t> &of);
     std::size_t owner_of(std::int32_t particle) const;
@@ -197,22 +220,23 @@ namespace dem
 
     std::shared_ptr<Ranks>                 ranks;
     std::int64_t                           move_every;
-    bool                                   skewed = false; ///< ranges are not even
-    std::vector<std::size_t>               brick_begin;    ///< of each rank, and behind the last
-    std::vector<std::int32_t>              particle_begin; ///< likewise
+    bool                                   skewed           = false; ///< ranges are to be uneven
+    bool                                   uneven           = false; ///< they have become so
+    double                                 work_when_chosen = 1;     ///< largest_work() of them
+    std::vector<std::size_t>               brick_begin;              ///< of each rank, and behind the last
+    std::vector<std::int32_t>              particle_begin;           ///< likewise
     SetShare                               of_bonds, of_contacts;
     std::vector<std::vector<std::int32_t>> sent, ghosts; ///< particles that each other rank needs, and has for this one
     std::vector<RankMessage>               out, in;      ///< with their places and motions
     std::vector<std::int32_t>              known;        ///< particles of which all have the state, ascending
     std::vector<std::int32_t>              with_masses;  ///< of which all know what prescribes their motion
-    std::vector<std::int32_t>              kept;         ///< others' particles that have memory, ascending
     bool                                   places_stale = false, rates_stale = false;
-    bool                                   lean          = false; ///< the rest of them have none but for their places
-    bool                                   masses_absent = false; ///< no rank has others' inverse masses
-    std::int64_t                           since_read    = 0;     ///< steps since they were gathered
-    bool                                   to_first      = false; ///< what is gathered goes to the first rank alone
-    bool                                   given_back    = false; ///< memory, since that in steps was measured
-    std::int64_t                           in_steps      = 0;     ///< memory that particles and links took up then [B]
+    bool                                   lean             = false; ///< others' particles have no memory
+    bool                                   constants_absent = false; ///< no rank has what gather_constants() gathers
+    std::int64_t                           since_read       = 0;     ///< steps since they were gathered
+    bool                                   planned_anew     = false; ///< in this step
+    bool                                   given_back       = false; ///< memory, since that in steps was measured
+    std::int64_t                           in_steps         = 0; ///< memory that particles and links took up then [B]
     std::int64_t                           messages = 0, bytes = 0;
   };
 } // namespace dem

@@ -125,12 +125,18 @@ namespace dem
               [](const LinkPart &a, const LinkPart &b) { return a.begin < b.begin; });
   }
 
-  void SharedWork::find_ghosts(const Particles &particles, const LinkSet &bonds, const LinkSet &contacts)
+  void SharedWork::find_ghosts(const Particles                 &particles,
+                               const LinkSet                   &bonds,
+                               const LinkSet                   &contacts,
+                               const std::vector<std::int32_t> &ends_of_gone)
   {
     ghosts.assign(size(), {});
     std::vector<std::int32_t>       needed = ends_of(bonds, bonds.parts, particles.count);
     const std::vector<std::int32_t> others = ends_of(contacts, contacts.parts, particles.count);
     needed.insert(needed.end(), others.begin(), others.end());
+    for (std::size_t at = 0; at < ends_of_gone.size(); at += 2)
+      if (owns(ends_of_gone[at]))
+        needed.push_back(ends_of_gone[at + 1]);
     std::sort(needed.begin(), needed.end());
     needed.erase(std::unique(needed.begin(), needed.end()), needed.end());
     for (const std::int32_t particle : needed)
@@ -148,7 +154,10 @@ namespace dem
   void SharedWork::plan(Particles                       &particles,
                         LinkSet                         &bonds,
                         LinkSet                         &contacts,
-                        const std::vector<std::int32_t> &moved_by_all)
+                        ContactSearch                   &search,
+                        const std::vector<std::int32_t> &by_all,
+                        const std::vector<std::int32_t> &moved_by_all,
+                        const std::vector<std::int32_t> &ends_of_gone)
   {
     if (bonds.in_parts && contacts.in_parts)
       return;
@@ -157,28 +166,45 @@ namespace dem
       {
         choose_ranges(particles, bonds, contacts);
         share_out(bonds, of_bonds);
-        lean       = false;
-        since_read = steps_between_readings; // others' motion goes where this step moves particles
         take_small_pages_of_others(particles);
       }
     share_out(contacts, of_contacts);
-    find_ghosts(particles, bonds, contacts);
+    find_ghosts(particles, bonds, contacts, ends_of_gone);
+    const double most = largest_work(bonds, contacts);
+    if (anew)
+      work_when_chosen = most;
+    uneven = most > most_uneven * work_when_chosen;
     if (!anew)
       return; // contacts may soon be made again
     // All this before the step takes up memory for forces, motion and what else begins as zeros.
     hold_own(bonds, of_bonds);
     hold_own(contacts, of_contacts);
-    find_kept(moved_by_all);
-    drop_records(particles.inverse_mass, particles.count);
-    masses_absent = true;
+    hold_own(particles, by_all, moved_by_all);
+    hold_own(search);
+    planned_anew = true;
     if (bonds.streams || contacts.streams)
       give_back_freed();
   }
 
-  void SharedWork::change_ranges(LinkSet &bonds, LinkSet &contacts)
+  void SharedWork::change_ranges(const std::int64_t step, LinkSet &bonds, LinkSet &contacts)
   {
-    skewed         = !skewed;
+    skewed         = skewed != moves_ranges(step);
     bonds.in_parts = contacts.in_parts = false;
+  }
+
+  double SharedWork::largest_work(const LinkSet &bonds, const LinkSet &contacts) const
+  {
+    std::int64_t own = updates_per_particle * (last() - first());
+    for (const LinkSet *links : {&bonds, &contacts})
+      for (const LinkPart &part : links->parts)
+        own += static_cast<std::int64_t>(part.end - part.begin);
+    std::int64_t largest = 0, all = 0;
+    for (const std::int64_t of_rank : of_each_rank(*ranks, own))
+      {
+        largest = std::max(largest, of_rank);
+        all += of_rank;
+      }
+    return static_cast<double>(largest) * static_cast<double>(size()) / static_cast<double>(all);
   }
 
   std::vector<RankWork>

@@ -1,4 +1,5 @@
 #include "base/errors.h"
+#include "dem/core/memory_pages.h"
 #include "dem/measures/link_measures.h"
 #include "dem/specimen/core.h"
 
@@ -66,7 +67,7 @@ namespace dem
                                     const StepPartner  &partner)
   {
     if (touched && particles.pushed.empty())
-      particles.pushed.assign(record_size * particles.count, 0.0);
+      assign_zeros(particles.pushed, record_size * particles.count);
     std::vector<std::int32_t> corrected_ones;
     if (partner.particles && shares())
       shared->share_velocities(particles, corrected_ones = corrected_by(partner));

@@ -37,22 +37,49 @@ namespace dem
     return out;
   }
 
+  namespace
+  {
+    template <typename Matrix>
+    void put(std::vector<double> &numbers, const Matrix &values)
+    {
+      numbers.insert(numbers.end(), values.data(), values.data() + values.size());
+    }
+
+    /** Take numbers of each particle, as they follow each other. @param use called with its place in their order and its numbers */
+    template <typename Use>
+    SharedWork::Take taking(const std::size_t of_each, const Use &use)
+    {
+      return [at = std::size_t(0), of_each, use](const std::vector<double> &numbers) mutable {
+        for (std::size_t n = 0; n < numbers.size(); n += of_each)
+          use(at++, &numbers[n]);
+      };
+    }
+  } // namespace
+
   ParticleOutput placed_particles_for_first(const ObservedSpecimen &specimen)
   {
-    SpecimenCore &core = core_in_parts_of(specimen);
-    core.give_places_to_first();
-    if (!core.is_first())
-      return {};
-    const Particles &p   = core.particles;
-    ParticleOutput   out = lasting_particles(specimen);
-    out.position.resize(p.count);
-    out.displacement.resize(p.count);
-    for (std::size_t i = 0; i < p.count; ++i)
+    SpecimenCore    &core = core_in_parts_of(specimen);
+    const Particles &p    = core.particles;
+    if (core.has_all_links())
+      core.gather_particles(); // they may have moved since
+    ParticleOutput out;
+    if (core.is_first())
       {
-        const auto to        = static_cast<std::size_t>(p.number[i]);
-        out.position[to]     = p.position_of(i);
-        out.displacement[to] = displacement_of(p, i);
+        out = lasting_particles(specimen);
+        out.position.resize(p.count);
+        out.displacement.resize(p.count);
       }
+    core.tell_first_of_particles(
+      [&](const std::size_t begin, const std::size_t end, std::vector<double> &numbers) {
+        for (std::size_t i = begin; i < end; ++i)
+          for (const Eigen::Vector3d &one : {p.position_of(i), displacement_of(p, i)})
+            put(numbers, one);
+      },
+      taking(6, [&](const std::size_t i, const double *numbers) {
+        const auto to        = static_cast<std::size_t>(p.number[i]);
+        out.position[to]     = Eigen::Vector3d(numbers);
+        out.displacement[to] = Eigen::Vector3d(numbers + 3);
+      }));
     return out;
   }
 
@@ -68,15 +95,6 @@ namespace dem
       return {first, last};
     }
 
-    /** Take numbers of each particle, as they follow each other. @param use called with its place in their order and its numbers */
-    template <typename Use>
-    SharedWork::Take taking(const std::size_t of_each, const Use &use)
-    {
-      return [at = std::size_t(0), of_each, use](const std::vector<double> &numbers) mutable {
-        for (std::size_t n = 0; n < numbers.size(); n += of_each)
-          use(at++, &numbers[n]);
-      };
-    }
   } // namespace
 
   ParticleOutput particles_for_first(const ObservedSpecimen &specimen)
@@ -99,12 +117,6 @@ namespace dem
 
   namespace
   {
-    template <typename Matrix>
-    void put(std::vector<double> &numbers, const Matrix &values)
-    {
-      numbers.insert(numbers.end(), values.data(), values.data() + values.size());
-    }
-
     /** Of some particles, from the first of them on. */
     LinkEffects part_of(const LinkEffects &effects, const std::size_t begin, const std::size_t end)
     {

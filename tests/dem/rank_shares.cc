@@ -93,7 +93,8 @@ TEST_CASE("every link is owned by one rank, and every cut link is computed on bo
               CHECK(shares[r].owned == owned[r]);
               CHECK(shares[r].copied == copied[r]);
               CHECK(shares[r].ghosts == sorted(ghosts[r]));
-              CHECK(shares[r].work == static_cast<std::int64_t>(shares[r].particles() + owned[r] + copied[r].size()));
+              CHECK(shares[r].work ==
+                    static_cast<std::int64_t>(3 * shares[r].particles() + owned[r] + copied[r].size()));
               work += shares[r].work;
               copies += static_cast<std::int64_t>(copied[r].size());
               sent += shares[r].sent();
@@ -171,13 +172,13 @@ TEST_CASE("a step over ranks costs what its slowest rank does and exchanges, and
   dem::LinkEnds links{{255, 511}, {256, 512}};
   const auto    shares = dem::share_out(3 * dem::particles_per_brick, links, 3);
   REQUIRE(shares[1].neighbours.size() == 2);
-  REQUIRE(shares[1].work == 256 + 1 + 1);
+  REQUIRE(shares[1].work == 3 * 256 + 1 + 1);
   const dem::Network network{1e-6, 1e9};
   const double       tau = 1e-8, exchange = 2e-6 + 2 * 96 / 1e9;
   CHECK(dem::seconds_of_exchange(shares[1], network) == Approx(exchange));
-  const double step = exchange + tau * 258 + 3 * 64 / 1e9 + 3 * 2 * 1e-6;
+  const double step = exchange + tau * 770 + 3 * 64 / 1e9 + 3 * 2 * 1e-6;
   CHECK(dem::seconds_of_step(shares, tau, network) == Approx(step));
-  CHECK(dem::parallel_efficiency(shares, tau, network) == Approx(tau * (3 * 256 + 2) / (3 * step)));
+  CHECK(dem::parallel_efficiency(shares, tau, network) == Approx(tau * (3 * 3 * 256 + 2) / (3 * step)));
 
   CHECK(dem::parallel_efficiency(dem::share_out(4 * dem::particles_per_brick, {{511}, {512}}, 1), tau, network) ==
         Approx(1.0));
