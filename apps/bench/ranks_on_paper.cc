@@ -23,8 +23,8 @@ namespace apps
     struct Costs
     {
       double update = 0; ///< of a link [s]
-      double known = 0, of_link = 0,
-             of_motion = 0; ///< of a particle that all ranks know, of a link and of a particle that a rank has [B]
+      double known = 0, of_link = 0, of_own = 0,
+             of_ghost = 0; ///< of a particle that all ranks know, of a link, a particle and a ghost that a rank has [B]
 
       explicit Costs(const int cells)
       {
@@ -38,15 +38,19 @@ namespace apps
         of_link              = (bytes() - known * particles) / links;
         share.owned          = 0;
         share.end_particle   = body.counts().particles;
-        of_motion            = (bytes() - known * particles) / particles;
-        update               = seconds_per_step(body, [&](const std::int64_t count) { body.advance(count); }) /
+        of_own               = (bytes() - known * particles) / particles;
+        share.end_particle   = 0;
+        share.ghosts.resize(body.counts().particles);
+        of_ghost = (bytes() - known * particles) / particles;
+        update   = seconds_per_step(body, [&](const std::int64_t count) { body.advance(count); }) /
                  (static_cast<double>(dem::updates_per_particle) * particles + links);
       }
 
       double bytes(const dem::RankShare &share, const double particles) const
       {
         return known * particles + of_link * static_cast<double>(share.owned + share.copied.size()) +
-               of_motion * static_cast<double>(share.end_particle - share.first_particle + share.ghosts.size());
+               of_own * static_cast<double>(share.end_particle - share.first_particle) +
+               of_ghost * static_cast<double>(share.ghosts.size());
       }
     };
 
@@ -133,8 +137,8 @@ namespace apps
     const Costs costs(std::min(a_rank, 40));
     fmt::print(
       "An update of a link takes {:.3g} ns here. A particle takes {:.0f} bytes in all ranks and {:.0f} in its own, "
-      "a link {:.0f}.\n",
-      1e9 * costs.update, costs.known, costs.of_motion, costs.of_link);
+      "a ghost {:.0f}, a link {:.0f}.\n",
+      1e9 * costs.update, costs.known, costs.of_own, costs.of_ghost, costs.of_link);
     std::vector<PaperRow> rows;
     for (const std::size_t ranks : {1, 2, 4, 8, 17, 27})
       {

@@ -52,7 +52,7 @@ namespace dem
     const double lines = static_cast<double>(core.bonds.alive + core.contacts.alive),
                  owned = static_cast<double>(share.owned), updated = owned + static_cast<double>(share.copied.size());
     double held      = lines > 0 ? (shared * std::min(updated, lines) + listed * std::min(owned, lines)) / lines : 0;
-    double of_places = 0, of_motion = bytes_of(core.particles.reference);
+    double of_places = bytes_of(core.particles.reference), of_motion = 0;
     for (const base::Column *column : records_of_places(core.particles))
       of_places += bytes_of(*column);
     for (const base::Column *column : records_of_motion(core.particles))
