@@ -25,32 +25,27 @@ namespace dem
       return size;
     }
 
-    /** Whole pages among some numbers: the place of the first, and bytes of all. */
-    std::pair<void *, std::size_t> whole_pages(base::Column &column, const std::size_t begin, const std::size_t end)
+    /** Of the whole pages in between. */
+    void advise(void *const begin, void *const end, const int advice)
     {
-      const std::uintptr_t page = page_size();
-      const auto place = [&](const std::size_t at) { return reinterpret_cast<std::uintptr_t>(column.data() + at); };
-      const std::uintptr_t first = (place(begin) + page - 1) / page * page, last = place(end) / page * page;
-      return {reinterpret_cast<void *>(first), last > first ? last - first : 0};
-    }
-
-    void advise(base::Column &column, const std::size_t begin, const std::size_t end, const int advice)
-    {
-      if (begin >= end)
-        return;
-      if (const auto [place, bytes] = whole_pages(column, begin, end); bytes > 0)
-        madvise(place, bytes, advice); // refused: the memory stays, and what is in it
+      const std::uintptr_t page  = page_size();
+      const std::uintptr_t first = (reinterpret_cast<std::uintptr_t>(begin) + page - 1) / page * page;
+      const std::uintptr_t last  = reinterpret_cast<std::uintptr_t>(end) / page * page;
+      if (last > first)
+        madvise(reinterpret_cast<void *>(first), last - first, advice); // refused: the memory stays, and what is in it
     }
   } // namespace
 
+  void give_back(void *const begin, void *const end) { advise(begin, end, MADV_DONTNEED); }
+
   void give_back(base::Column &column, const std::size_t begin, const std::size_t end)
   {
-    advise(column, begin, end, MADV_DONTNEED);
+    advise(column.data() + begin, column.data() + end, MADV_DONTNEED);
   }
 
   void take_small_pages(base::Column &column, const std::size_t begin, const std::size_t end)
   {
-    advise(column, begin, end, MADV_NOHUGEPAGE);
+    advise(column.data() + begin, column.data() + end, MADV_NOHUGEPAGE);
   }
 
   std::size_t resident_bytes(const base::Column &column)
@@ -70,6 +65,7 @@ namespace dem
     return std::min(bytes, pages * page);
   }
 #else
+  void        give_back(void *, void *) {}
   void        give_back(base::Column &, std::size_t, std::size_t) {}
   void        take_small_pages(base::Column &, std::size_t, std::size_t) {}
   std::size_t resident_bytes(const base::Column &column) { return sizeof(double) * column.size(); }
@@ -79,7 +75,7 @@ namespace dem
   // Libraries may tell the allocator to keep large blocks among the small ones (SuperLU_DIST does, when it is loaded).
   void give_back_freed() { malloc_trim(0); }
 #else
-  void give_back_freed() {}
+  void        give_back_freed() {}
 #endif
 
   void assign_zeros(base::Column &column, const std::size_t n)

@@ -12,6 +12,9 @@ namespace dem
    */
   void give_back(base::Column &column, std::size_t begin, std::size_t end);
 
+  /** The same for memory that nobody reads again. @param end behind the last byte */
+  void give_back(void *begin, void *end);
+
   /** Zeros, as many as n, that take no memory before they are written, where they are many. */
   void assign_zeros(base::Column &column, std::size_t n);
 

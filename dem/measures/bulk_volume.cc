@@ -45,12 +45,14 @@ namespace dem
     const double      reach = diameters * diameter, s = width * diameter;
     const double      kernel = dimension == 3 ? std::pow(2 * M_PI * s * s, 1.5) : 2 * M_PI * s * s * thickness;
     const std::size_t stride = std::max<std::size_t>(1, n / most_balls);
-    double            inside = 0;
-    std::size_t       balls  = 0;
-    for (std::size_t i = 0; i < n; i += stride)
+    // The solid volume around each ball's middle, by the Gaussian; below zero: it is not deep.
+    std::vector<double> weighted((n + stride - 1) / stride);
+#pragma omp parallel for schedule(static)
+    for (std::size_t ball = 0; ball < weighted.size(); ++ball)
       {
-        double          content = 0, weighted = 0;
-        Eigen::Vector3d moment = Eigen::Vector3d::Zero();
+        const std::size_t i       = ball * stride;
+        double            content = 0, sum = 0;
+        Eigen::Vector3d   moment = Eigen::Vector3d::Zero();
         for (std::size_t j = 0; j < n; ++j)
           {
             const Eigen::Vector3d offset   = centre[j] - centre[i];
@@ -61,13 +63,18 @@ namespace dem
                 moment += solid[j] * offset;
               }
             if (distance < cut * cut * s * s)
-              weighted += solid[j] * std::exp(-0.5 * distance / (s * s));
+              sum += solid[j] * std::exp(-0.5 * distance / (s * s));
           }
-        if (moment.norm() > deep * reach * content)
-          continue;
-        inside += weighted;
-        ++balls;
+        weighted[ball] = moment.norm() > deep * reach * content ? -1 : sum;
       }
+    double      inside = 0;
+    std::size_t balls  = 0;
+    for (const double of_ball : weighted)
+      if (of_ball >= 0)
+        {
+          inside += of_ball;
+          ++balls;
+        }
     const double fraction = balls >= fewest ? inside / (static_cast<double>(balls) * kernel) : 0;
     // A lone particle, or a loose heap of few, is "deep" without being a body: its balls are then nearly empty.
     constexpr double loosest = 0.3;

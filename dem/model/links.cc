@@ -135,9 +135,9 @@ namespace dem
       pair.resize(lines);
     if (logs_breaks)
       noted.resize(lines);
-    reference_length.resize(lines);
-    area.resize(lines);
     living.resize(lines);
+    for (base::Column *column : {&reference_length, &area})
+      assign_zeros(*column, lines);
     for (base::Column &column : history)
       assign_zeros(column, lines);
     pad(n, particles);
@@ -299,12 +299,13 @@ namespace dem
     return ends;
   }
 
-  void make_links(LinkSet                          &links,
-                  const std::vector<NeighbourPair> &pairs,
-                  Particles                        &particles,
-                  const ParticleShape              &shape,
-                  const LinkLaw                    &law)
+  void make_links(LinkSet                   &links,
+                  std::vector<NeighbourPair> pairs,
+                  Particles                 &particles,
+                  const ParticleShape       &shape,
+                  const LinkLaw             &law)
   {
+    constexpr std::size_t at_once = std::size_t(1) << 18; // as many are read before their memory goes
     links.shape_for(law, particles.cell.repeats(), !particles.material.empty());
     links.alive                  = pairs.size();
     const auto pair_of_materials = [&](const NeighbourPair &each) {
@@ -315,7 +316,8 @@ namespace dem
       ++links_of_law[links.kind_of(pair_of_materials(each))];
     std::vector<std::size_t> next = links.resize_by_law(links_of_law, particles.count);
     std::vector<double>      row(links.history.size());
-    for (const NeighbourPair &each : pairs)
+    std::size_t              read = 0;
+    for (NeighbourPair &each : pairs)
       {
         const auto [J, K, shift] = each;
         const std::size_t l      = next[links.kind_of(pair_of_materials(each))]++;
@@ -350,7 +352,10 @@ namespace dem
           if (row[c] != 0 ||
               std::signbit(row[c])) // zeros are there already, and take no memory as long as none is written
             links.history[c][l] = row[c];
+        if (++read % at_once == 0)
+          give_back(&each + 1 - at_once, &each + 1);
       }
+    pairs = {};
     links.tabulate(particles.count);
   }
 

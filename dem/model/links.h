@@ -184,11 +184,11 @@ namespace dem
     return links.periodic ? Eigen::Vector3d(branch + particles.cell.offset_of(links.image[link])) : branch;
   }
 
-  /** Fill a set with undamaged links of the law between the pairs. Images that the cell does not know yet are entered into its
-   * table. Where particles have materials, constants are those of the pairs. */
-  void make_links(LinkSet                          &links,
-                  const std::vector<NeighbourPair> &pairs,
-                  Particles                        &particles,
-                  const ParticleShape              &shape,
-                  const LinkLaw                    &law);
+  /** Fill a set with undamaged links of the law between the pairs, whose memory goes on the way. Images that the cell does not know
+   * yet are entered into its table. Where particles have materials, constants are those of the pairs. */
+  void make_links(LinkSet                   &links,
+                  std::vector<NeighbourPair> pairs,
+                  Particles                 &particles,
+                  const ParticleShape       &shape,
+                  const LinkLaw             &law);
 } // namespace dem

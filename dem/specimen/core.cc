@@ -62,16 +62,20 @@ namespace dem
       std::vector<double>          radius, solid;
       double                       all = 0;
       for (std::size_t i = 0; i < p.count; ++i)
+        all += shape.volume(p.radius_of(i));
+      if (p.cell.repeats())
+        return p.cell.volume() / all;
+      centre.reserve(p.count);
+      for (std::vector<double> *of : {&radius, &solid})
+        of->reserve(p.count);
+      for (std::size_t i = 0; i < p.count; ++i)
         {
-          all += shape.volume(p.radius_of(i));
           if (p.made_links[i] == 0)
             continue;
           centre.push_back(p.position_of(i));
           radius.push_back(p.radius_of(i));
           solid.push_back(shape.volume(p.radius_of(i)));
         }
-      if (p.cell.repeats())
-        return p.cell.volume() / all;
       return centre.empty() ? 1.0 : bulk_over_solid(centre, radius, solid, shape.dimension, shape.thickness);
     }
   } // namespace
@@ -191,7 +195,13 @@ namespace dem
       }
     else
       search = ContactSearch(particles, 0.0, contact_law->waits()); // any two may be in contact from the start
-    make_links(bonds, pairs, particles, shape, *bond_law);
+    made_links = pairs.size();
+    for (const auto &pair : pairs)
+      {
+        ++particles.made_links[pair.first];
+        ++particles.made_links[pair.second];
+      }
+    make_links(bonds, std::move(pairs), particles, shape, *bond_law);
     if (bonds.logs_breaks)
       {
         // Those that never hold do not break.
@@ -203,12 +213,6 @@ namespace dem
             reader.read(l, Geometry::present);
             bonds.noted[l] = reader.phase() == LinkPhase::whole ? 0 : 1;
           }
-      }
-    made_links = pairs.size();
-    for (const auto &pair : pairs)
-      {
-        ++particles.made_links[pair.first];
-        ++particles.made_links[pair.second];
       }
     add_contacts(contacts, {}, particles, shape, *contact_law);
     if (parameters.emission_reach > 0)
