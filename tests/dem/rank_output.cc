@@ -268,6 +268,26 @@ TEST_CASE("ranks show links to periodic images once, those of more ranks than br
     }
 }
 
+TEST_CASE("ranks show both ends of links that broke, where nothing joins them any more", "[dem][ranks]")
+{
+  // Halves of a cube that fly apart, one of which each rank has along one of the axes; what is left of the bonds is sorted anew.
+  for (const int axis : {0, 1, 2})
+    {
+      const auto halves = [axis] {
+        const dem::Packing cube = cluster::cubic_lattice(8, 8, 8, 1e-3);
+        dem::Specimen      body(cube, cluster::bonded(1.5), cluster::concrete());
+        for (std::size_t i = 0; i < cube.size(); ++i)
+          body.set_velocity(i, (cube.centre[i][axis] < 7e-3 ? -5 : 5) * Vector3d::Unit(axis), Vector3d::Zero());
+        return std::make_unique<Free>(std::move(body));
+      };
+      const Case    each{"halves that fly apart", halves, 300};
+      const Moments whole = alone(each);
+      INFO("axis " << axis);
+      CHECK(whole.back().broken >= 64);
+      check(each, whole, 2, 0);
+    }
+}
+
 TEST_CASE("ranks show what is glued to surfaces, torn or not, once", "[dem][ranks]")
 {
   const Case    each{"a block torn from a plate", torn_from_plate, 100};
