@@ -190,7 +190,8 @@ namespace dem
       }
     if (changes)
       shared->change_ranges(step_count, bonds, contacts);
-    shared->plan(particles, bonds, contacts, search, read_by_surfaces(), moved_by_all(), cracks.ends_of_gone());
+    if (!bonds.in_parts || !contacts.in_parts)
+      shared->plan(particles, bonds, contacts, search, read_by_surfaces(), moved_by_all(), cracks.ends_of_gone());
   }
 
   /** Ranks that share all else move all clumps each, which may lie across their bricks. */
