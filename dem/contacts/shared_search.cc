@@ -28,15 +28,22 @@ namespace dem
       pairs.end());
   }
 
+  template <typename Record>
+  std::vector<Record> SharedSearch::of_each(const Record own) const
+  {
+    std::vector<Record>      all(particle_begin.size() - 1, own);
+    std::vector<std::size_t> begin;
+    for (std::size_t r = 0; r <= all.size(); ++r)
+      begin.push_back(r * sizeof(Record));
+    gather(all.data(), begin);
+    return all;
+  }
+
   double SharedSearch::largest(const double own) const
   {
     if (!gather)
       return own;
-    std::vector<double>      of(particle_begin.size() - 1, own);
-    std::vector<std::size_t> begin;
-    for (std::size_t r = 0; r <= of.size(); ++r)
-      begin.push_back(r * sizeof(double));
-    gather(of.data(), begin);
+    const std::vector<double> of = of_each(own);
     return *std::max_element(of.begin(), of.end());
   }
 
@@ -44,13 +51,9 @@ namespace dem
   {
     if (!gather)
       return pairs;
-    const std::size_t         ranks = particle_begin.size() - 1;
-    std::vector<std::int64_t> count(ranks);
-    std::vector<std::size_t>  begin(ranks + 1);
-    for (std::size_t r = 0; r <= ranks; ++r)
-      begin[r] = r * sizeof(std::int64_t);
-    count[self] = static_cast<std::int64_t>(pairs.size());
-    gather(count.data(), begin);
+    const std::vector<std::int64_t> count = of_each(static_cast<std::int64_t>(pairs.size()));
+    const std::size_t               ranks = count.size();
+    std::vector<std::size_t>        begin(ranks + 1, 0);
 
     // What is gathered consists of whole doubles: an odd number of pairs is filled up by one.
     for (std::size_t r = 0; r < ranks; ++r)

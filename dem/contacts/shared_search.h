@@ -35,6 +35,10 @@ namespace dem
     std::vector<NeighbourPair> of_all(std::vector<NeighbourPair> pairs) const;
 
   private:
+    /** What each rank has of something, of whole doubles or integers as wide. @pre there are others */
+    template <typename Record>
+    std::vector<Record> of_each(Record own) const;
+
     std::size_t               self = 0;
     std::vector<std::int32_t> particle_begin;
     Gather                    gather; ///< none: alone

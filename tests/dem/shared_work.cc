@@ -19,7 +19,6 @@
 #include <map>
 #include <numeric>
 #include <random>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -382,50 +381,6 @@ TEST_CASE("what a link does depends on no other link in its pack", "[dem][ranks]
     }
 }
 
-TEST_CASE("of what ranks share, a state is told in parts, and no rank is given a whole column", "[dem][ranks]")
-{
-  struct Parts : base::StateVisitor
-  {
-    void column(const std::string &name, base::Column &values) override { whole[name] = values.size(); }
-    void column(const std::string &, std::vector<std::int32_t> &) override {}
-    void column_in_parts(const std::string &name, const std::size_t count, const Tell &tell) override
-    {
-      std::size_t &most = longest[name], told = 0;
-      tell([&](const double *, const std::size_t more) {
-        most = std::max(most, more);
-        told += more;
-      });
-      said[name] = count;
-      if (told != count)
-        incomplete.insert(name);
-    }
-    void scalar(const std::string &, double &) override {}
-    void scalar(const std::string &, std::int64_t &) override {}
-
-    std::map<std::string, std::size_t> whole, longest, said;
-    std::set<std::string>              incomplete;
-  };
-  std::vector<Parts> seen(3);
-  rank_threads::run(seen.size(), [&](const std::shared_ptr<dem::Ranks> &ranks) {
-    omp_set_num_threads(1);
-    dem::Specimen body(bar(700), cluster::bonded(1.5), cluster::concrete());
-    body.share_among(ranks);
-    body.advance(3);
-    body.visit_state(seen[ranks->rank()]);
-  });
-  for (const Parts &of : seen)
-    {
-      CHECK(of.incomplete.empty());
-      for (const char *name : {"bonds/force", "bonds/area", "particles/motion", "particles/velocity"})
-        {
-          INFO(name);
-          CHECK(of.whole.count(name) == 0);
-          REQUIRE(of.longest.count(name) == 1);
-          CHECK(of.longest.at(name) < of.said.at(name));
-        }
-    }
-}
-
 TEST_CASE("ranks that search for links and contacts together make the specimen of one", "[dem][ranks]")
 {
   // Bonded, of 700 particles in three bricks; loose and overlapping, so that contacts are there from the start; a cell of 27 in one brick,
@@ -466,59 +421,6 @@ TEST_CASE("ranks that search for links and contacts together make the specimen o
           CHECK(same == std::vector<char>(count, 1));
         }
     }
-}
-
-TEST_CASE("where contacts are born on one side, the other rank gets particles from there, and the bits stay",
-          "[dem][ranks]")
-{
-  // Spheres that close in on each other, and as many above them that never touch.
-  dem::Packing packing = cluster::cubic_lattice(8, 8, 16, 1e-3);
-  for (Vector3d &centre : packing.centre)
-    centre *= 1.2;
-  const dem::Packing above   = cluster::cubic_lattice(8, 8, 16, 1e-3);
-  const std::size_t  closing = packing.size();
-  for (std::size_t i = 0; i < above.size(); ++i)
-    {
-      packing.centre.emplace_back(1.6 * above.centre[i] + Vector3d(0, 0, 0.05));
-      packing.radius.push_back(above.radius[i]);
-    }
-  const auto make = [&] {
-    dem::SpecimenParameters parameters = grains::falling();
-    parameters.gravity.setZero();
-    dem::Specimen body(packing, parameters, grains::rough());
-    for (std::size_t i = 0; i < closing; ++i)
-      body.set_velocity(i, -500 * packing.centre[i], Vector3d::Zero());
-    return body;
-  };
-  constexpr std::int64_t steps = 220;
-  omp_set_num_threads(1);
-  dem::Specimen alone = make();
-  alone.advance(steps);
-  CHECK(alone.counts().contacts > 2 * closing);
-  const MemoryState whole = MemoryState::of(alone);
-
-  std::vector<char>                       same(2, 0);
-  std::vector<std::vector<dem::RankWork>> early(2), late(2);
-  rank_threads::run(2, [&](const std::shared_ptr<dem::Ranks> &ranks) {
-    dem::Specimen body = make();
-    body.share_among(ranks);
-    body.advance(1);
-    early[ranks->rank()] = body.shares();
-    body.advance(steps - 1);
-    late[ranks->rank()] = body.shares();
-    same[ranks->rank()] = MemoryState::of(body) == whole;
-  });
-  CHECK(same == std::vector<char>(2, 1));
-  const auto most = [](const std::vector<dem::RankWork> &of) {
-    std::vector<double> work;
-    for (const dem::RankWork &each : of)
-      work.push_back(static_cast<double>(each.particles + each.links + each.copies));
-    return *std::max_element(work.begin(), work.end()) * static_cast<double>(work.size()) /
-           std::accumulate(work.begin(), work.end(), 0.0);
-  };
-  CHECK(early[0][0].particles == early[0][1].particles);
-  CHECK(late[0][0].particles != late[0][1].particles);
-  CHECK(most(late[0]) < 1.35); // with as many particles each, 1.6
 }
 
 TEST_CASE("an audit names a link of which a rank has another copy than the rank that it belongs to", "[dem][ranks]")
