@@ -194,7 +194,8 @@ namespace dem
                                const Particles              &particles,
                                const ParticleShape          &shape)
   {
-    // Both lists are sorted alike: by particle and surface. What is there fewer times now has let go.
+    // Both lists are sorted alike: by particle and surface. What is there fewer times now has let go. What dashpots have taken is added up in
+    // this order, of contacts that are there and that were: ranks, which add one after the other, have the order of one.
     const auto same = [](const SurfaceContact &a, const SurfaceContact &b) {
       return a.particle == b.particle && a.surface == b.surface;
     };
@@ -215,6 +216,7 @@ namespace dem
           {
             if (born.empty() || born.back() != next->particle)
               born.push_back(next->particle);
+            damped += next->viscous;
             ++next;
           }
         else
@@ -223,6 +225,7 @@ namespace dem
             if (next->stiffness > old->stiffness && (surface.skin > 0 || surface.law.stiffens()) &&
                 (born.empty() || born.back() != next->particle))
               born.push_back(next->particle);
+            damped += next->viscous;
             ++old, ++next;
           }
       }
@@ -230,7 +233,6 @@ namespace dem
     for (const SurfaceContact &contact : contacts)
       {
         slid += contact.dissipated;
-        damped += contact.viscous;
         all[static_cast<std::size_t>(contact.surface)].made += contact.made;
       }
   }
