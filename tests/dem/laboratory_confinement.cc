@@ -1,5 +1,4 @@
 // Walls, membranes and jackets that hold a specimen in a test of a laboratory: doc/theory/laboratory.md, 4.
-#include "dem/core/uniform_random.h"
 #include "dem/facets/surface.h"
 #include "dem/laboratory/lab_test.h"
 #include "dem/laws/contact_bond.h"
@@ -73,24 +72,6 @@ TEST_CASE("triaxial walls hold a cube of spheres at a pressure from all sides", 
 
 namespace
 {
-  /** A close packing of spheres cut to an upright cylinder, its radii a little unequal. */
-  dem::Packing cylinder_of_spheres(const double radius, const double height)
-  {
-    const int          across = static_cast<int>(std::ceil(radius / (std::sqrt(2) * R))) + 1;
-    const int          along  = static_cast<int>(std::ceil(height / (2 * std::sqrt(2) * R))) + 1;
-    const auto         whole  = dem::make_lattice(dem::Lattice::face_centred_cubic, R, {across, across, along});
-    const Vector3d     middle = 0.5 * *whole.periodic_cell;
-    dem::Packing       packing;
-    dem::UniformRandom random(11);
-    for (const Vector3d &x : whole.centre)
-      if ((x - middle).head<2>().norm() <= radius - R && std::abs(x.z() - middle.z()) <= 0.5 * height - R)
-        {
-          packing.centre.push_back(x);
-          packing.radius.push_back(R * (1 - 0.02 * random()));
-        }
-    return packing;
-  }
-
   dem::SpecimenParameters spheres()
   {
     dem::SpecimenParameters p = discs();

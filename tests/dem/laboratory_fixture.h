@@ -57,6 +57,24 @@ namespace laboratory
     return packing;
   }
 
+  /** A close packing of spheres cut to an upright cylinder, its radii a little unequal. */
+  inline dem::Packing cylinder_of_spheres(const double radius, const double height)
+  {
+    const int             across = static_cast<int>(std::ceil(radius / (std::sqrt(2) * R))) + 1;
+    const int             along  = static_cast<int>(std::ceil(height / (2 * std::sqrt(2) * R))) + 1;
+    const auto            whole  = dem::make_lattice(dem::Lattice::face_centred_cubic, R, {across, across, along});
+    const Eigen::Vector3d middle = 0.5 * *whole.periodic_cell;
+    dem::Packing          packing;
+    dem::UniformRandom    random(11);
+    for (const Eigen::Vector3d &x : whole.centre)
+      if ((x - middle).head<2>().norm() <= radius - R && std::abs(x.z() - middle.z()) <= 0.5 * height - R)
+        {
+          packing.centre.push_back(x);
+          packing.radius.push_back(R * (1 - 0.02 * random()));
+        }
+    return packing;
+  }
+
   inline dem::LabParameters between_platens(const double speed)
   {
     dem::LinearContactParameters platens;

@@ -21,7 +21,9 @@
 
 #include <cmath>
 #include <functional>
+#include <map>
 #include <memory>
+#include <mutex>
 #include <vector>
 
 /** Specimens of all sorts on their way through a test, for tests of what must not change them. */
@@ -32,10 +34,11 @@ namespace shared_bodies
   /** A specimen in a test of some kind. */
   struct Body
   {
-    virtual ~Body()                              = default;
-    virtual dem::Specimen &specimen()            = 0;
-    virtual void           advance(std::int64_t) = 0;
-    virtual void           visit(base::StateVisitor &visitor) { specimen().visit_state(visitor); }
+    virtual ~Body()                                   = default;
+    virtual dem::Specimen      &specimen()            = 0;
+    virtual void                advance(std::int64_t) = 0;
+    virtual void                visit(base::StateVisitor &visitor) { specimen().visit_state(visitor); }
+    virtual std::vector<double> reading() { return {}; } ///< of the test, after its last step
   };
   using Make = std::function<std::unique_ptr<Body>()>;
 
@@ -51,13 +54,23 @@ namespace shared_bodies
     dem::Specimen  own;
   };
 
-  inline dem::Packing bar(const std::size_t particles) { return cluster::random_cluster(5, particles, 0.7e-3, 1e-3); }
+  /** A compact random body. Made once, which takes longer than steps of it do; ranks of tests ask at the same time. */
+  inline const dem::Packing &bar(const std::size_t particles)
+  {
+    static std::mutex                          one_at_a_time;
+    static std::map<std::size_t, dem::Packing> made;
+    const std::lock_guard<std::mutex>          lock(one_at_a_time);
+    dem::Packing                              &found = made[particles];
+    if (found.size() == 0)
+      found = cluster::random_cluster(5, particles, 0.7e-3, 1e-3);
+    return found;
+  }
 
   struct Pulled : Body
   {
-    Pulled()
+    explicit Pulled(const int layers = 16, const double rate = 60)
       : own(
-          cluster::cubic_lattice(8, 8, 16, 1e-3),
+          cluster::cubic_lattice(8, 8, layers, 1e-3),
           [] {
             auto p             = cluster::bonded(1.5);
             p.physics.contacts = true;
@@ -65,10 +78,10 @@ namespace shared_bodies
             return p;
           }(),
           cluster::concrete())
-      , test(own, [] {
+      , test(own, [rate] {
         dem::UniaxialParameters p;
         p.axis            = 2;
-        p.strain_rate     = 60;
+        p.strain_rate     = rate;
         p.grips.thickness = 2e-3;
         p.stop_strain     = 1;
         p.lateral_blocked = false;
@@ -82,6 +95,10 @@ namespace shared_bodies
     {
       own.visit_state(visitor);
       test.visit_state(visitor);
+    }
+    std::vector<double> reading() override
+    {
+      return {test.curve().back().time, test.curve().back().strain, test.curve().back().stress};
     }
     dem::Specimen     own;
     dem::UniaxialTest test;
@@ -129,29 +146,62 @@ namespace shared_bodies
       own.visit_state(visitor);
       test.visit_state(visitor);
     }
+    std::vector<double> reading() override
+    {
+      const dem::CellSample &last = test.curve().back();
+      std::vector<double>    row{last.time, last.skew_stress, last.servo_error, last.unbalanced, last.dissipated};
+      row.insert(row.end(), last.strain.data(), last.strain.data() + 6);
+      row.insert(row.end(), last.stress.data(), last.stress.data() + 6);
+      return row;
+    }
     dem::Specimen own;
     dem::CellTest test;
   };
 
-  /** Loose grains fall into a box and on each other, with friction. */
-  inline std::unique_ptr<Body> falling_grains()
+  /** A horizontal plate that comes down at a force. */
+  inline void press_from_above(dem::Specimen            &specimen,
+                               const double              half_edge,
+                               const double              height,
+                               const dem::LinkMaterials &contact,
+                               const double              force,
+                               const double              largest_speed)
   {
-    const dem::LinearContactParameters grains     = grains::rough();
-    const dem::SpecimenParameters      parameters = grains::falling();
-    dem::Packing                       packing    = cluster::cubic_lattice(10, 10, 10, 1e-3);
-    dem::UniformRandom                 random(3);
+    dem::SurfaceParameters lid;
+    lid.name    = "lid";
+    lid.mesh    = dem::plate(Vector3d(-half_edge, -half_edge, height), Vector3d(2 * half_edge, 0, 0),
+                             Vector3d(0, 2 * half_edge, 0));
+    lid.contact = contact;
+    dem::ForceServo servo;
+    servo.direction     = Vector3d(0, 0, -1);
+    servo.force         = force;
+    servo.largest_speed = largest_speed;
+    specimen.surfaces().hold_at_force(specimen.surfaces().add(lid), servo);
+  }
+
+  /** Loose grains fall into a box and on each other, with friction. @param contact of grains @param pressed by a lid, as they fall */
+  inline std::unique_ptr<Body> grains_in_box(const dem::LinkMaterials &contact, const bool pressed)
+  {
+    dem::Packing       packing = cluster::cubic_lattice(10, 10, 10, 1e-3);
+    dem::UniformRandom random(3);
     for (Vector3d &x : packing.centre)
       x = 1.005 * x + Vector3d(1.1e-3, 1.1e-3, 1.1e-3) + 2e-5 * cluster::random_vector(random);
-    dem::Specimen          specimen(packing, parameters, grains);
+    dem::Specimen          specimen(packing, grains::falling(), contact);
     dem::SurfaceParameters box;
     box.name    = "box";
     box.mesh    = dem::box(Vector3d(0, 0, 0), Vector3d(0.0215, 0.0215, 1), {true, true, true, true, true, false});
-    box.contact = grains;
+    box.contact = grains::rough();
     specimen.surfaces().add(box);
+    if (pressed)
+      press_from_above(specimen, 0.04, 0.0203, contact, 50, 10);
     for (std::size_t i = 0; i < packing.size(); ++i)
       specimen.set_velocity(i, Vector3d(2, 0, -5), Vector3d::Zero());
     return std::make_unique<Free>(std::move(specimen));
   }
+
+  inline std::unique_ptr<Body> falling_grains() { return grains_in_box(grains::rough(), false); }
+
+  /** Elastic spheres with friction, which lose speed where they meet. */
+  inline dem::HertzMindlinParameters elastic_grains() { return {2e8, 0.2, 0.3, 0.7}; }
 
   /**
    * Grains between a floor of many facets over which their contacts are spread, and a lid with friction and restitution that comes down at a
@@ -175,22 +225,14 @@ namespace shared_bodies
     floor.contact = grains::rough();
     floor.spread  = true;
     specimen.surfaces().add(floor);
-    dem::SurfaceParameters lid;
-    lid.name    = "lid";
-    lid.mesh    = dem::plate(Vector3d(-0.03, -0.03, 4.8e-3), Vector3d(0.06, 0, 0), Vector3d(0, 0.06, 0));
-    lid.contact = dem::HertzMindlinParameters{2e8, 0.2, 0.3, 0.7};
-    dem::ForceServo servo;
-    servo.direction     = Vector3d(0, 0, -1);
-    servo.force         = 2;
-    servo.largest_speed = 2;
-    specimen.surfaces().hold_at_force(specimen.surfaces().add(lid), servo);
+    press_from_above(specimen, 0.03, 4.8e-3, elastic_grains(), 2, 2);
     for (std::size_t i = 0; i < packing.size(); ++i)
       specimen.set_velocity(i, Vector3d(1, 0.5, packing.centre[i].z() < 2e-3 ? -1 : 1), Vector3d::Zero());
     return std::make_unique<Free>(std::move(specimen));
   }
 
   /** Dumb-bells of two that fall into a box, each thrown and turned in its own way. */
-  inline std::unique_ptr<Body> tumbling_clumps()
+  inline dem::Specimen tumbling_clumps_at_first()
   {
     const dem::LinearContactParameters grains     = grains::rough();
     const dem::SpecimenParameters      parameters = grains::falling();
@@ -224,11 +266,21 @@ namespace shared_bodies
         requested.back().velocity = Vector3d(0, 0, -4) + 2 * cluster::random_vector(random);
       }
     specimen.set_velocities(requested);
-    return std::make_unique<Free>(std::move(specimen));
+    return specimen;
   }
 
-  inline dem::Specimen
-  thrown_apart(const dem::LinkMaterials &materials, const int dimension = 3, const double emission = 0)
+  /** Copies of one that is made once, which takes longer than steps of it do. */
+  inline std::unique_ptr<Body> tumbling_clumps()
+  {
+    static const dem::Specimen at_first = tumbling_clumps_at_first();
+    return std::make_unique<Free>(dem::Specimen(at_first));
+  }
+
+  /** @param times the usual speed */
+  inline dem::Specimen thrown_apart(const dem::LinkMaterials &materials,
+                                    const int                 dimension = 3,
+                                    const double              emission  = 0,
+                                    const double              times     = 1)
   {
     dem::SpecimenParameters p = cluster::bonded(1.2);
     p.step_factor             = 0.1;
@@ -242,7 +294,7 @@ namespace shared_bodies
         body.material.push_back(x.x() > 0 ? 1 : 0);
     dem::Specimen specimen(body, p, materials);
     for (std::size_t i = 0; i < body.size(); ++i)
-      specimen.set_velocity(i, 200 * body.centre[i] + 800 * Vector3d(0, body.centre[i].x(), 0),
+      specimen.set_velocity(i, times * (200 * body.centre[i] + 800 * Vector3d(0, body.centre[i].x(), 0)),
                             Vector3d(0, 0, 10.0 * static_cast<double>(i % 3)));
     return specimen;
   }
@@ -311,19 +363,32 @@ namespace shared_bodies
     std::unique_ptr<Body> grains = falling_grains();
   };
 
-  /** A block of spheres between platens under servo walls. */
+  /** Spheres between platens, under a pressure across that servo walls, a membrane or a jacket hold; then loaded along. */
   struct Confined : Body
   {
-    static dem::LabParameters requested()
+    using Confinement = dem::LabParameters::Confinement;
+
+    static dem::LabParameters requested(const Confinement how)
     {
       dem::LabParameters p = laboratory::between_platens(0.5);
       p.test               = laboratory::Test::confined;
       p.press.axis         = 2;
+      p.press.smoothing    = how == Confinement::cylinder ? 0.2 * laboratory::R : 0;
       p.pressure           = 1e6;
-      p.largest_speed      = 0.05;
-      p.confinement        = dem::LabParameters::Confinement::walls;
+      p.largest_speed      = how == Confinement::cylinder ? 2 : 0.05;
+      p.gain               = how == Confinement::cylinder ? 0.5 : p.gain;
+      p.confinement        = how;
+      p.membrane_steps     = 60;
+      p.ramp_steps         = 80;
+      p.rest_steps         = 20; // no longer: what counts is that all of it happens
       p.stop_strain        = 1;
       return p;
+    }
+    static dem::Packing packing(const Confinement how)
+    {
+      using laboratory::R;
+      return how == Confinement::cylinder ? laboratory::cylinder_of_spheres(8 * R, 30 * R) :
+                                            cluster::cubic_lattice(9, 9, 9, R);
     }
     static dem::SpecimenParameters spheres()
     {
@@ -332,8 +397,8 @@ namespace shared_bodies
       p.thickness               = 0;
       return p;
     }
-    Confined()
-      : run(cluster::cubic_lattice(9, 9, 9, laboratory::R), spheres(), laboratory::weak(), requested())
+    explicit Confined(const Confinement how)
+      : run(packing(how), spheres(), laboratory::weak(), requested(how))
     {
     }
     dem::Specimen &specimen() override { return run.body; }
@@ -342,6 +407,13 @@ namespace shared_bodies
     {
       run.body.visit_state(visitor);
       run.test.visit_state(visitor);
+    }
+    std::vector<double> reading() override
+    {
+      const dem::LabReading &last = run.test.reading();
+      return {last.strain,       last.stress,         last.low,         last.high,
+              last.gauge_strain, last.lateral_strain, last.confinement, last.kinetic,
+              last.work,         last.force_ratio,    last.breaks,      static_cast<double>(run.test.stage())};
     }
     laboratory::Run run;
   };

@@ -1,7 +1,7 @@
 // The work of a specimen is shared among ranks, and nobody sees it: doc/theory/ranks.md, 7.
 #include "base/errors.h"
 #include "clusters.h"
-#include "dem/specimen/core.h"
+#include "course_on_ranks.h"
 #include "dem/specimen/rank_shares.h"
 #include "dem/specimen/specimen.h"
 #include "memory_state.h"
@@ -13,12 +13,8 @@
 
 #include <omp.h>
 
-#include <algorithm>
 #include <functional>
 #include <limits>
-#include <map>
-#include <numeric>
-#include <random>
 #include <string>
 #include <vector>
 
@@ -28,117 +24,12 @@ using namespace weak_bonds;
 
 namespace
 {
-  /** All of a state, by name. */
-  using State = std::map<std::string, std::vector<double>>;
-
-  class StateKeeper : public base::StateVisitor
-  {
-  public:
-    explicit StateKeeper(State &where)
-      : state(where)
-    {
-    }
-    void column(const std::string &name, base::Column &values) override
-    {
-      state[name].assign(values.begin(), values.end());
-    }
-    void column(const std::string &name, std::vector<std::int32_t> &values) override
-    {
-      state[name].assign(values.begin(), values.end());
-    }
-    void scalar(const std::string &name, double &value) override { state[name] = {value}; }
-    void scalar(const std::string &name, std::int64_t &value) override { state[name] = {static_cast<double>(value)}; }
-
-  private:
-    State &state;
-  };
-
-  class StateGiver : public base::StateVisitor
-  {
-  public:
-    explicit StateGiver(const State &from)
-      : state(from)
-    {
-    }
-    void column(const std::string &name, base::Column &values) override
-    {
-      values.assign(state.at(name).begin(), state.at(name).end());
-    }
-    void column(const std::string &name, std::vector<std::int32_t> &values) override
-    {
-      values.assign(state.at(name).begin(), state.at(name).end());
-    }
-    void scalar(const std::string &name, double &value) override { value = state.at(name).front(); }
-    void scalar(const std::string &name, std::int64_t &value) override
-    {
-      value = static_cast<std::int64_t>(state.at(name).front());
-    }
-
-  private:
-    const State &state;
-  };
-
-  State state_of(Body &body)
-  {
-    State       state;
-    StateKeeper keeper(state);
-    body.visit(keeper);
-    return state;
-  }
-
-  /** Which parts differ. */
-  std::string differences(const State &a, const State &b)
-  {
-    std::string names;
-    for (const auto &[name, values] : a)
-      if (b.count(name) == 0 || b.at(name) != values)
-        names += " " + name;
-    return names + (a.size() == b.size() ? "" : " (others)");
-  }
-
-  /** What is read of a specimen from outside, in a row. */
-  std::vector<double> readings_of(const dem::ObservedSpecimen &specimen)
-  {
-    const dem::EnergyAccount e = specimen.energy();
-    const dem::Counts        n = specimen.counts();
-    std::vector<double>      row{e.external_work,
-                            e.gravity,
-                            e.initial,
-                            e.kinetic,
-                            e.elastic,
-                            e.damage,
-                            e.friction,
-                            e.damping,
-                            e.released,
-                            n.deepest_overlap,
-                            specimen.stable_step(),
-                            specimen.mean_damage(),
-                            specimen.unbalanced_ratio()};
-    for (const std::size_t count : {n.links, n.contacts, n.broken, n.wall_contacts})
-      row.push_back(static_cast<double>(count));
-    const auto     append = [&](const auto &numbers) { row.insert(row.end(), numbers.begin(), numbers.end()); };
-    const Vector3d force  = specimen.force_on({0, 1, 2, 3, 4, 5, 6, 7});
-    append(std::vector<double>(force.data(), force.data() + 3));
-    const dem::ParticleOutput particles = specimen.particles();
-    append(particles.damage);
-    for (std::size_t i = 0; i < particles.position.size(); ++i)
-      {
-        append(std::vector<double>(particles.position[i].data(), particles.position[i].data() + 3));
-        append(std::vector<double>(particles.velocity[i].data(), particles.velocity[i].data() + 3));
-        append(std::vector<double>(particles.stress[i].data(), particles.stress[i].data() + 9));
-      }
-    const dem::LinkOutput links = specimen.links();
-    append(links.normal_force);
-    append(links.damage);
-    return row;
-  }
-
   struct Case
   {
     const char  *name;
     Make         make;
     std::int64_t steps;
-    std::size_t  broken; ///< at least
+    std::size_t  broken = 0; ///< at least
   };
 
   std::vector<Case> cases()
@@ -147,18 +38,21 @@ namespace
       return std::make_unique<Free>(
         thrown_apart(dem::LinkMaterials::by_pair({twice(parallel()), twice(point()), twice(flat())}, {0, 1, 2})));
     };
-    return {{"concrete that is pulled apart", [] { return std::make_unique<Pulled>(); }, 800, 100},
-            {"a cell under stresses", [] { return std::make_unique<CellUnderStress>(); }, 600, 10},
-            {"grains that fall into a box", falling_grains, 600, 0},
-            {"grains between a spread floor and a lid", grains_under_lid, 300, 0},
-            {"clumps that tumble", tumbling_clumps, 500, 0},
-            {"three laws in two materials", three_laws, 150, 100},
-            {"flat joints", [] { return std::make_unique<Free>(thrown_apart(flat())); }, 150, 100},
-            {"parallel bonds in the plane, with emission",
-             [] { return std::make_unique<Free>(thrown_apart(parallel(), 2, 2)); }, 200, 100},
-            {"a block under servo walls", [] { return std::make_unique<Confined>(); }, 300, 0},
-            {"bonds beside a partner", [] { return std::make_unique<Partnered>(); }, 150, 100},
-            {"grains in a box that takes steps of its own", [] { return std::make_unique<InShakenBox>(); }, 150, 0}};
+    return {
+      {"concrete that is pulled apart", [] { return std::make_unique<Pulled>(); }, 800, 100},
+      {"a cell under stresses", [] { return std::make_unique<CellUnderStress>(); }, 600, 10},
+      {"grains that fall into a box", falling_grains, 600, 0},
+      {"grains between a spread floor and a lid", grains_under_lid, 300, 0},
+      {"clumps that tumble", tumbling_clumps, 500, 0},
+      {"three laws in two materials", three_laws, 150, 100},
+      {"flat joints", [] { return std::make_unique<Free>(thrown_apart(flat())); }, 150, 100},
+      {"parallel bonds in the plane, with emission",
+       [] { return std::make_unique<Free>(thrown_apart(parallel(), 2, 2)); }, 200, 100},
+      {"a block under servo walls", [] { return std::make_unique<Confined>(Confined::Confinement::walls); }, 300, 0},
+      {"concrete with options", [] { return std::make_unique<Free>(thrown_apart(with_options(), 3, 0, 5)); }, 150, 100},
+      {"elastic grains that fall into a box", [] { return grains_in_box(elastic_grains(), false); }, 300, 0},
+      {"bonds beside a partner", [] { return std::make_unique<Partnered>(); }, 150, 100},
+      {"grains in a box that takes steps of its own", [] { return std::make_unique<InShakenBox>(); }, 150, 0}};
   }
 
   struct Way
@@ -173,10 +67,10 @@ namespace
     omp_set_num_threads(1);
     const auto alone = each.make();
     alone->advance(each.steps / 2);
-    const State               half = state_of(*alone);
+    const MemoryState         half = state_of(*alone);
     const std::vector<double> read = readings_of(alone->specimen());
     alone->advance(each.steps - each.steps / 2);
-    const State       whole  = state_of(*alone);
+    const MemoryState whole  = state_of(*alone);
     const double      damage = alone->specimen().mean_damage();
     const dem::Counts counts = alone->specimen().counts();
     INFO(each.name << ", " << counts.broken << " broken");
@@ -191,10 +85,7 @@ namespace
           const auto body = each.make();
           body->specimen().share_among(ranks, way.moved);
           if (way.resumed)
-            {
-              StateGiver giver(half);
-              body->visit(giver);
-            }
+            restore(half, *body);
           else
             {
               body->advance(each.steps / 2);
@@ -265,13 +156,10 @@ namespace
       body.energy();
       body.mean_damage();
       body.counts();
-      State       state;
-      StateKeeper keeper(state);
-      body.visit_state(keeper);
+      const std::size_t written = numbers_in(MemoryState::of(body));
       note(found.after_sums);
       if (ranks->rank() == 0)
-        for (const auto &[name, values] : state)
-          found.written += values.size();
+        found.written = written;
       body.links();
       note(found.after_all);
       body.advance(20);
@@ -290,14 +178,9 @@ TEST_CASE("from the first step a rank has memory for its own links, particles, c
     block.set_velocity(0, Vector3d(1, 0, 0), Vector3d::Zero());
     return block;
   };
-  dem::Specimen     alone = make();
-  const std::size_t whole = alone.bytes();
-  State             state;
-  StateKeeper       keeper(state);
-  alone.visit_state(keeper);
-  std::size_t written = 0;
-  for (const auto &[name, values] : state)
-    written += values.size();
+  dem::Specimen     alone   = make();
+  const std::size_t whole   = alone.bytes();
+  const std::size_t written = numbers_in(MemoryState::of(alone));
   for (const std::size_t count : {2, 4})
     {
       const std::vector<dem::RankShare> shares = dem::share_out(alone, count);
@@ -330,55 +213,6 @@ TEST_CASE("a particle linked to its own image, and more ranks than bricks", "[de
     return std::make_unique<Free>(std::move(specimen));
   };
   check_on_ranks({"eight spheres", cell, 300, 1}, {{2, 7, false}, {3, 0, true}});
-}
-
-TEST_CASE("what a link does depends on no other link in its pack", "[dem][ranks]")
-{
-  omp_set_num_threads(1);
-  const dem::LinkMaterials all[] = {cluster::concrete(), parallel(), point(), flat()};
-  for (const dem::LinkMaterials &materials : all)
-    {
-      dem::SpecimenParameters p  = cluster::bonded(1.2);
-      p.step_factor              = 0.1;
-      const dem::Packing packing = bar(200);
-      dem::SpecimenCore  core(packing, p, materials, nullptr);
-      INFO(core.bond_law->name());
-      for (std::size_t i = 0; i < packing.size(); ++i)
-        for (int c = 0; c < 3; ++c)
-          core.particles.velocity[dem::record_size * i + static_cast<std::size_t>(c)] =
-            2000 * core.particles.pose_of(i)[c] + (c == 1 ? 8000 * core.particles.pose_of(i)[0] : 0);
-      core.begin();
-      for (int step = 0; step < 100; ++step)
-        core.step();
-      const base::Column &remembered = core.bonds.history.front();
-      REQUIRE((core.cracks.count() > 20 ||
-               std::any_of(remembered.begin(), remembered.end(), [](const double number) { return number > 0; })));
-
-      // The same links in another order.
-      dem::LinkSet            &links = core.bonds;
-      std::vector<std::size_t> order(links.count);
-      std::iota(order.begin(), order.end(), 0);
-      std::shuffle(order.begin(), order.end(), std::mt19937(3));
-      dem::LinkSet shuffled = links.empty_like();
-      shuffled.resize(links.count, core.particles.count);
-      for (std::size_t l = 0; l < links.count; ++l)
-        shuffled.copy_line(links, order[l], l);
-      core.bond_pass(links, core.particles, *core.bond_law, links.whole());
-      core.bond_pass(shuffled, core.particles, *core.bond_law, shuffled.whole());
-      std::size_t different = 0;
-      for (std::size_t l = 0; l < links.count; ++l)
-        {
-          if (!links.is_alive(order[l]))
-            continue;
-          std::vector<double> row, other;
-          links.get_history(order[l], row);
-          shuffled.get_history(l, other);
-          different += row != other || !std::equal(&shuffled.force[dem::record_size * l],
-                                                   &shuffled.force[dem::record_size * l] + dem::record_size,
-                                                   &links.force[dem::record_size * order[l]]);
-        }
-      CHECK(different == 0);
-    }
 }
 
 TEST_CASE("ranks that search for links and contacts together make the specimen of one", "[dem][ranks]")
@@ -444,20 +278,28 @@ TEST_CASE("an audit names a link of which a rank has another copy than the rank 
 
 TEST_CASE("where one rank finds no number, all stop by the same words", "[dem][ranks]")
 {
-  std::vector<std::string> words(3);
-  rank_threads::run(3, [&](const std::shared_ptr<dem::Ranks> &ranks) {
-    dem::Specimen specimen(bar(700), cluster::bonded(1.5), cluster::concrete());
-    specimen.share_among(ranks);
-    specimen.set_velocity(399, Vector3d(std::numeric_limits<double>::quiet_NaN(), 0, 0), Vector3d::Zero());
-    try
-      {
-        specimen.advance(3);
-      }
-    catch (const base::NumericalError &error)
-      {
-        words[ranks->rank()] = error.what();
-      }
-  });
-  CHECK_THAT(words[0], Catch::Contains("no longer has a finite velocity"));
-  CHECK(words == std::vector<std::string>(3, words[0]));
+  for (const std::size_t owner : {0, 1, 2})
+    {
+      std::vector<std::string> words(3);
+      std::vector<std::size_t> owners(3);
+      rank_threads::run(3, [&](const std::shared_ptr<dem::Ranks> &ranks) {
+        dem::Specimen     specimen(bar(700), cluster::bonded(1.5), cluster::concrete());
+        const std::size_t particle = first_particle_of(specimen, owner, 3);
+        owners[ranks->rank()]      = first_owner_of(specimen, particle, 3);
+        specimen.share_among(ranks);
+        specimen.set_velocity(particle, Vector3d(std::numeric_limits<double>::quiet_NaN(), 0, 0), Vector3d::Zero());
+        try
+          {
+            specimen.advance(3);
+          }
+        catch (const base::NumericalError &error)
+          {
+            words[ranks->rank()] = error.what();
+          }
+      });
+      INFO("particle of rank " << owner);
+      CHECK(owners == std::vector<std::size_t>(3, owner));
+      CHECK_THAT(words[0], Catch::Contains("no longer has a finite velocity"));
+      CHECK(words == std::vector<std::string>(3, words[0]));
+    }
 }

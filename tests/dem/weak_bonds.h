@@ -1,6 +1,8 @@
 #pragma once
 
+#include "clusters.h"
 #include "dem/laws/contact_bond.h"
+#include "dem/laws/cpm.h"
 #include "dem/laws/flat_joint.h"
 #include "dem/laws/parallel_bond.h"
 #include "dem/model/materials.h"
@@ -39,6 +41,22 @@ namespace weak_bonds
     p.tensile_strength     = 0.2e6;
     p.cohesion             = 0.6e6;
     p.friction_angle       = 20;
+    return p;
+  }
+
+  /** The cohesive particle model with all its options. */
+  inline dem::CpmParameters with_options()
+  {
+    dem::CpmParameters p               = cluster::concrete();
+    p.relative_ductility               = 5;
+    p.shear_contribution               = 0.4;
+    p.options.compression_yield_strain = -1.2e-4;
+    p.options.strength_surface         = dem::StrengthSurface::logarithmic;
+    p.options.damage_time              = 1e-6;
+    p.options.damage_exponent          = 0.4;
+    p.options.plastic_time             = 1e-6;
+    p.options.plastic_exponent         = 0.3;
+    p.options.prestress                = -1e6;
     return p;
   }
 
