@@ -215,7 +215,9 @@ namespace dem
     own.wall_contacts = surfaces.count_of(first(), last());
     for (const LinkSet *links : {&bonds, &contacts})
       for (const LinkPart &part : links->parts)
-        (part.own ? own.links : own.copies) += static_cast<std::int64_t>(part.end - part.begin);
+        (part.own ? own.links : own.copies) +=
+          std::count(links->living.begin() + static_cast<std::ptrdiff_t>(part.begin),
+                     links->living.begin() + static_cast<std::ptrdiff_t>(part.end), std::uint8_t{1});
     for (std::size_t r = 0; r < size(); ++r)
       {
         own.ghosts += static_cast<std::int64_t>(ghosts[r].size());

@@ -9,9 +9,12 @@
 #include <nlohmann/json.hpp>
 
 #include <array>
+#include <cstdint>
 #include <cstdlib>
 #include <filesystem>
+#include <map>
 #include <string>
+#include <tuple>
 #include <vector>
 
 using namespace apps_tests;
@@ -36,6 +39,33 @@ namespace
   nlohmann::json summary_of(const std::filesystem::path &folder)
   {
     return nlohmann::json::parse(content_of(folder / "summary.json"));
+  }
+
+  /** A laboratory's test on rock, until some bonds have broken. */
+  std::string tried_rock(const std::string &scene, const std::vector<std::string> &more)
+  {
+    std::vector<std::string> changes = {"Laboratory/Ramp steps=400", "Laboratory/Rest=1e-2",
+                                        "Laboratory/Rest steps=500", "Laboratory/Speed=1", "Output/Snapshots=1"};
+    changes.insert(changes.end(), more.begin(), more.end());
+    return run_of(scene, changes);
+  }
+
+  /** The same of 609 spheres in a cylinder, three bricks. */
+  std::string tried_cylinder(const std::string &scene, const std::vector<std::string> &more)
+  {
+    std::vector<std::string> changes = {"Specimen/Source=file",
+                                        "Specimen/File=" + places::sources() + "/meshes/cylinder_packing.txt",
+                                        "Specimen/Interaction ratio=1.2", "Laboratory/Largest strain=2e-3"};
+    changes.insert(changes.end(), more.begin(), more.end());
+    return tried_rock(scene, changes);
+  }
+
+  /** A beam of mortar with a grain of stone, its ends of stone too, of 659 particles, three bricks. */
+  std::string small_grain()
+  {
+    return run_of("two_materials.prm", {"Specimen/Box size=0.03, 0.03, 0.02", "Regions/low end/Upper=0.03, 0.03, 0.005",
+                                        "Regions/high end/Lower=0, 0, 0.015", "Regions/high end/Upper=0.03, 0.03, 0.02",
+                                        "Regions/grain/Centre=0.01, 0.015, 0.01", "Output/Snapshots=2"});
   }
 
   void same_on_ranks(const ScratchFolder &folder, const std::string &words, const std::vector<std::array<int, 2>> &ways)
@@ -199,4 +229,83 @@ TEST_CASE("A mortar grown on ranks is that of one, on from a checkpoint and out 
   CHECK(differences(folder / "one", folder / "kept") == std::vector<std::string>());
   std::filesystem::remove_all(folder / "caches");
   goes_on_on_others(small_mortar("0.04, 0.03, 0") + " --no-cache");
+}
+
+TEST_CASE("A membrane, a jacket and walls press rock alike on ranks", "[apps][mpi][ranks][laboratory][slow]")
+{
+  if (places::skipped_without_mpirun())
+    return;
+  for (const auto &[scene, ranks, threads] : std::vector<std::tuple<std::string, int, int>>{
+         {tried_cylinder("rock_triaxial.prm", {"Laboratory/Membrane steps=100"}), 3, 1},
+         {tried_rock("rock_biaxial.prm", {"Laboratory/Confinement=membrane", "Laboratory/Largest strain=3e-4"}), 3, 1},
+         {tried_cylinder("rock_cylinder.prm",
+                         {"Laboratory/Platens=outermost particles", "Laboratory/Confining pressure=1e6"}),
+          3, 1},
+         {tried_rock("rock_triaxial.prm", // walls that servos hold
+                     {"Laboratory/Confinement=walls", "Laboratory/Rest steps=100", "Laboratory/Largest strain=3e-4",
+                      "Material/parallel-bond/Tensile strength=2e6", "Material/parallel-bond/Cohesion=4e6"}),
+          2, 2}})
+    {
+      INFO(scene);
+      const ScratchFolder folder;
+      same_on_ranks(folder, scene, {{{ranks, threads}}});
+      CHECK(content_of(folder / "one/breaks.csv").size() > 400); // some lines beside its head
+    }
+}
+
+TEST_CASE("Concrete that flows and takes its time, and grains of Hertz and Mindlin, have the same results on ranks",
+          "[apps][mpi][ranks][slow]")
+{
+  if (places::skipped_without_mpirun())
+    return;
+  for (const std::string &scene :
+       {run_of("concrete_uniaxial.prm",
+               {"Specimen/Box size=0.02, 0.02, 0.02", "Material/CPM/Compression yield strain=-1e-3",
+                "Material/CPM/Damage time=1e-5", "Material/CPM/Plastic time=1e-5",
+                "Material/CPM/Strength surface=logarithmic", "Loading/Tension/Strain rate=4",
+                "Loading/Compression/Strain rate=20", "Output/Snapshots=1"}),
+        run_of("pressed_spheres.prm",
+               {"Specimen/Source=generator", "Specimen/Box size=0.046, 0.046, 0.1",
+                "Specimen/Generator/Particle radius=0.003", "Walls/piston/Corner=0, 0, 0.1",
+                "Material/Law=hertz-mindlin", "Material/hertz-mindlin/Young modulus=1e7",
+                "Material/hertz-mindlin/Friction coefficient=0.3", "Material/hertz-mindlin/Restitution=0.8",
+                "Time/End time=0.05", "Output/Snapshots=1"})})
+    {
+      INFO(scene);
+      const ScratchFolder folder;
+      same_on_ranks(folder, scene, {{{3, 1}}});
+    }
+}
+
+TEST_CASE("Two materials have the same results on ranks, and the summary says of each rank what it has and has sent",
+          "[apps][mpi][ranks][slow]")
+{
+  if (places::skipped_without_mpirun())
+    return;
+  const ScratchFolder folder;
+  same_on_ranks(folder, small_grain(), {{{3, 1}}});
+  const nlohmann::json one = summary_of(folder / "one"), three = summary_of(folder / "3_ranks");
+  for (const char *same : {"energy", "material_pairs", "materials"})
+    CHECK(three[same] == one[same]);
+  CHECK(three["tests"][0]["link_classes"] == one["tests"][0]["link_classes"]);
+  std::map<std::string, std::int64_t> sums;
+  for (const nlohmann::json &rank : three["ranks"])
+    for (const char *key :
+         {"particles", "links", "copied_links", "wall_contacts", "ghosts", "neighbours", "messages", "bytes", "memory"})
+      {
+        INFO(key);
+        REQUIRE(rank[key].is_number_integer());
+        sums[key] += rank[key].get<std::int64_t>();
+      }
+  CHECK(sums["particles"] == one["cost"]["particles"]);
+  REQUIRE(one["tests"][0]["broken_links"] == 0);
+  REQUIRE(one["tests"][0]["contacts"] == 0);
+  CHECK(sums["links"] == one["cost"]["links"]);
+  CHECK(sums["copied_links"] > 0);
+  CHECK(sums["copied_links"] < sums["links"]);
+  CHECK(sums["wall_contacts"] == 0);
+  CHECK(sums["ghosts"] > 0);
+  CHECK(sums["neighbours"] == 6);
+  CHECK(sums["messages"] > 2 * one["tests"][0]["steps"].get<std::int64_t>());
+  CHECK(sums["bytes"] > sums["messages"]);
 }
