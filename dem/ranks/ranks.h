@@ -47,8 +47,8 @@ namespace dem
   struct RankWork
   {
     std::int64_t particles     = 0; ///< that it moves
-    std::int64_t links         = 0; ///< bonds and contacts in its blocks, idle lines included
-    std::int64_t copies        = 0; ///< that it updates beside them
+    std::int64_t links         = 0; ///< bonds and contacts that there are in its blocks
+    std::int64_t copies        = 0; ///< of others that it updates as well
     std::int64_t wall_contacts = 0; ///< that it finds, and has
     std::int64_t ghosts        = 0; ///< particles of others that it needs
     std::int64_t neighbours    = 0; ///< ranks that it exchanges particles with
