@@ -53,18 +53,21 @@ namespace dem
     return without_held(inverse, held);
   }
 
+  Block particle_inverse(const StiffnessOperator &stiffness, const Block &own, const std::size_t particle)
+  {
+    HeldMotions held = 0;
+    for (int c = 0; c < motions; ++c)
+      if (stiffness.is_held(particle, c))
+        held |= HeldMotions(1u << c);
+    return pseudo_inverse(own, held, no_stiffness);
+  }
+
   BlockJacobi::BlockJacobi(const StiffnessOperator &stiffness, const ParticleRange &of)
     : range(of)
     , inverse(stiffness.diagonal_blocks())
   {
     for (std::int64_t i = range.first; i < range.end; ++i)
-      {
-        HeldMotions held = 0;
-        for (int c = 0; c < motions; ++c)
-          if (stiffness.is_held(i, c))
-            held |= HeldMotions(1u << c);
-        inverse[i] = pseudo_inverse(inverse[i], held, no_stiffness);
-      }
+      inverse[i] = particle_inverse(stiffness, inverse[i], i);
   }
 
   void BlockJacobi::apply(const Fields &r, Fields &z) const

@@ -27,4 +27,7 @@ namespace dem
    * Rows and columns of held motions are left out and come back as zero.
    */
   Block pseudo_inverse(const Block &block, HeldMotions held, double cut);
+
+  /** Of a particle's own block: motions that nothing resists, and held ones, stay where they are. */
+  Block particle_inverse(const StiffnessOperator &stiffness, const Block &own, std::size_t particle);
 } // namespace dem

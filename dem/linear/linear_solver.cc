@@ -1,7 +1,7 @@
 #include "dem/linear/linear_solver.h"
 
 #include "base/errors.h"
-#include "dem/linear/block_jacobi.h"
+#include "dem/linear/rigid_groups.h"
 
 #include <algorithm>
 #include <cmath>
@@ -135,25 +135,44 @@ namespace dem
 
     // Operations of either kind weigh the same: on one core with OpenBLAS the factor of 4000 spheres runs at 3.6e10 of them a second,
     // the iteration at 3.3e10 (breccia bench homogenise; with the reference BLAS the factor is fourteen times slower).
-    bool worth_factorising(const LinearSolution &solution, const FactorCost &factor, const double iterations)
+    bool worth_factorising(const LinearSolution &solution, const FactorCost &factor, const double operations_to_come)
     {
-      return factor.bytes < solution.p.memory_limit &&
-             operations_of(factor) < iterations * operations_per_iteration(solution.stiffness);
+      return factor.bytes < solution.p.memory_limit && operations_of(factor) < operations_to_come;
     }
+
+    /** The particles' own blocks; for many particles also rigid motions of groups. */
+    struct Preconditioning
+    {
+      Preconditioning(const StiffnessOperator &stiffness, const RowShare &share)
+        : operations(operations_per_iteration(stiffness))
+      {
+        if (stiffness.particles() < RigidGroups::fewest_particles)
+          {
+            by = std::make_unique<BlockJacobi>(stiffness, share.own());
+            return;
+          }
+        auto both = std::make_unique<BlocksAndGroups>(stiffness, share);
+        operations += both->operations();
+        by = std::move(both);
+      }
+
+      std::unique_ptr<Preconditioner> by;
+      double                          operations; ///< of an iteration
+    };
 
     void solve_automatically(LinearSolution &solution)
     {
-      RowShare          share(solution.stiffness, solution.p.ranks);
-      const BlockJacobi preconditioner(solution.stiffness, share.own());
-      const auto        iteration = [&share](auto &&...system) { return conjugate_gradients(system..., share); };
+      RowShare              share(solution.stiffness, solution.p.ranks);
+      const Preconditioning preconditioning(solution.stiffness, share);
+      const auto            iteration = [&share](auto &&...system) { return conjugate_gradients(system..., share); };
       std::unique_ptr<SparseFactor> factor;
       const bool                    may_switch = solution.p.method == SolverMethod::automatic;
       double                        before     = 1;
       for (int interval = first_interval; solution.report.iterations < solution.p.max_iterations; interval *= 2)
         {
           const int chunk = std::min(interval, solution.p.max_iterations - solution.report.iterations);
-          solution.report.operations += chunk * operations_per_iteration(solution.stiffness);
-          if (solution.iterate(iteration, preconditioner, chunk))
+          solution.report.operations += chunk * preconditioning.operations;
+          if (solution.iterate(iteration, *preconditioning.by, chunk))
             return;
           if (!may_switch)
             continue;
@@ -162,7 +181,8 @@ namespace dem
               factor                 = std::make_unique<SparseFactor>(solution.stiffness);
               solution.report.factor = factor->cost();
             }
-          if (worth_factorising(solution, factor->cost(), solution.predicted_iterations(before, chunk)))
+          if (worth_factorising(solution, factor->cost(),
+                                solution.predicted_iterations(before, chunk) * preconditioning.operations))
             {
               solve_directly(solution, *factor);
               return;

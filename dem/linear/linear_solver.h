@@ -12,7 +12,7 @@ namespace dem
 {
   /**
    * Automatic: iterate, and factorise if that is predicted to cost less than going on. Iterative: conjugate gradients, preconditioned by the
-   * particles' own blocks. Direct: a sparse Cholesky factor, refined by iteration.
+   * particles' own blocks, and for many particles by rigid motions of groups too (RigidGroups). Direct: a sparse Cholesky factor, refined by iteration.
    */
   struct SolverParameters
   {

@@ -79,8 +79,12 @@ namespace dem
     , scale(mean_arm(network))
   {
     std::vector<std::int32_t> place(numbers.size());
+    centres.reserve(numbers.size());
     for (std::size_t k = 0; k < numbers.size(); ++k)
-      place[numbers[k]] = static_cast<std::int32_t>(k);
+      {
+        place[numbers[k]] = static_cast<std::int32_t>(k);
+        centres.push_back(network.centre[numbers[k]]);
+      }
 
     HeldMotions missing = 0;
     for (int c = 0; c < motions; ++c)

@@ -64,6 +64,8 @@ namespace dem
 
     /** order()[k]: number in the network of the k-th particle here. */
     const std::vector<std::int32_t> &order() const { return numbers; }
+    /** Of the particles here [m]. */
+    const std::vector<Eigen::Vector3d> &places() const { return centres; }
 
     /** Give every link, in the network's order, another stiffness (as it is damaged). */
     void set_stiffness(const std::vector<Eigen::Matrix3d> &stiffness);
@@ -129,12 +131,13 @@ namespace dem
 
     std::vector<Record> records;
     std::vector<Record> turning; ///< of each record its moment over relative rotation, over the scale squared; or empty
-    std::vector<std::int64_t> begin; ///< entries of particle i: begin[i] .. begin[i + 1]
-    std::vector<Entry>        entries;
-    std::vector<HeldMotions>  masks;
-    std::vector<std::int32_t> numbers;
-    double                    scale     = 1;
-    bool                      some_held = false;
+    std::vector<std::int64_t>    begin; ///< entries of particle i: begin[i] .. begin[i + 1]
+    std::vector<Entry>           entries;
+    std::vector<HeldMotions>     masks;
+    std::vector<std::int32_t>    numbers;
+    std::vector<Eigen::Vector3d> centres;
+    double                       scale     = 1;
+    bool                         some_held = false;
   };
 
 } // namespace dem

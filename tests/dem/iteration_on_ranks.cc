@@ -1,5 +1,6 @@
 // Linear networks solved by several ranks: the same bits as by one.
 #include "dem/linear/linear_solver.h"
+#include "dem/linear/rigid_groups.h"
 #include "tests/dem/homogenisation_fixture.h"
 #include "tests/dem/rank_threads.h"
 
@@ -58,12 +59,13 @@ namespace
     return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0;
   }
 
-  Solution check_on_ranks(const Problem &problem)
+  Solution check_on_ranks(const Problem                  &problem,
+                          const std::vector<std::size_t> &numbers = {1, 2, 3, 5}) // three bricks
   {
     omp_set_num_threads(1);
     const Solution alone = solve(problem, nullptr);
     REQUIRE(alone.report.converged);
-    for (const std::size_t ranks : {1, 2, 3, 5}) // three bricks
+    for (const std::size_t ranks : numbers)
       {
         std::vector<std::string> wrong(ranks);
         rank_threads::run(ranks, [&](const std::shared_ptr<dem::Ranks> &team) {
@@ -122,6 +124,18 @@ TEST_CASE("conjugate gradients on ranks: every number has the bits of one", "[de
     links.erase(std::remove_if(links.begin(), links.end(), ends), links.end());
     CHECK(check_on_ranks(problem).report.mechanisms.size() == 7);
   }
+}
+
+TEST_CASE("conjugate gradients on ranks: rigid motions of groups have the bits of one", "[dem][statics][ranks][slow]")
+{
+  Problem problem{dem::make_network(random_spheres(4500, 5), links(1.6, 0.2)), {}, 0};
+  REQUIRE(problem.network.particles() > dem::RigidGroups::fewest_particles);
+  const auto ends = [](const dem::ElasticLink &l) { return l.first % 500 == 7 || l.second % 500 == 7; };
+  auto      &all  = problem.network.links;
+  all.erase(std::remove_if(all.begin(), all.end(), ends), all.end());
+  const Solution alone = check_on_ranks(problem, {2, 3}); // eighteen bricks
+  CHECK(alone.report.mechanisms.size() == 9);
+  CHECK(alone.report.iterations < 100);
 }
 
 TEST_CASE("conjugate gradients on ranks: that leave off for a factor do so alike", "[dem][statics][ranks]")
