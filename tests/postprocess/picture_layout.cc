@@ -1,7 +1,9 @@
-// What stands where in a picture, by its pixels.
+// What stands where in a picture, by its pixels; what its labels say, by what gnuplot is told.
 #include "postprocess/pictures/break_pictures.h"
+#include "postprocess/pictures/packing_picture.h"
 #include "scratch_folder.h"
 #include "specimen_samples.h"
+#include "tests/gnuplot_scripts.h"
 
 #include <catch2/catch.hpp>
 #include <vtkImageData.h>
@@ -12,6 +14,7 @@
 #include <filesystem>
 #include <vector>
 
+using Catch::Matchers::Contains;
 using postprocess_tests::ScratchFolder;
 
 namespace
@@ -61,4 +64,30 @@ TEST_CASE("a legend stands clear of the axis label above it", "[postprocess]")
   broken.area  = 0.3;
   REQUIRE(postprocess::picture_of_breaks(folder / "b.png", particles, {broken}, 0.5, "title") == "");
   CHECK(room_above_last_line(dark_rows(folder / "b.png")) >= 5);
+}
+
+TEST_CASE("a picture of a packing says where it is cut, and what its colours and axes are", "[postprocess]")
+{
+  const ScratchFolder  folder;
+  const GnuplotScripts told(folder.path);
+  dem::Packing         packing;
+  packing.centre = {{0, 0, 0}, {0.01, 0, 0.004}};
+  packing.radius = {0.003, 0.004};
+  REQUIRE(postprocess::picture_of_packing(folder / "genesis.png", packing, "Grown packing").empty());
+  CHECK_THAT(told.text(), Contains("set title 'Grown packing: cut at z = 2 mm'") &&
+                            Contains("set cblabel 'Diameter [mm]'") && Contains("x [mm]") && Contains("y [mm]"));
+}
+
+TEST_CASE("a rose of cracks says what lies in which direction, and how they broke", "[postprocess]")
+{
+  const ScratchFolder     folder;
+  const GnuplotScripts    told(folder.path);
+  std::vector<dem::Break> breaks(2);
+  breaks[0].mode = dem::BreakMode::tension;
+  breaks[0].area = breaks[1].area = 1e-6;
+  breaks[1].normal                = {0, 1, 0};
+  REQUIRE(postprocess::picture_of_directions(folder / "directions.png", breaks, 2, "Directions of cracks").empty());
+  CHECK_THAT(told.text(), Contains("set title 'Directions of cracks'") && Contains("title 'tension'") &&
+                            Contains("title 'shear, or damaged until broken'") && Contains(" %' at ") &&
+                            Contains("set label 'x' at ") && Contains("set label 'y' at "));
 }
