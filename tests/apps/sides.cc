@@ -2,6 +2,7 @@
 #include "tests/apps/scene_runs.h"
 #include "tests/apps/scenes.h"
 #include "tests/apps/scratch_folder.h"
+#include "tests/places.h"
 
 #include <catch2/catch.hpp>
 
@@ -140,4 +141,32 @@ TEST_CASE("check warns of a coupling that neither weight nor velocity leads its 
              !Contains(warning));
   // Below the face, and falling away from it.
   CHECK_THAT(check({"Particles/More particles/ball/Centre=0.05, 0.05, -0.02"}), Contains(warning + "z max"));
+}
+
+TEST_CASE("check warns of a coupling out of reach beside motions and forces that are 0, and not beside those that lead",
+          "[apps][coupled]")
+{
+  const ScratchFolder folder;
+  folder.file("x.prm",
+              replaced(ball_on_block, "  subsection More particles\n",
+                       "  subsection More particles\n    subsection other\n      set Centre = 0.02, 0.02, 0.1\n"
+                       "      set Radius = 0.01\n    end\n") +
+                "subsection Particles\n  subsection Motion\n    subsection ball\n      set Velocity x = 0\n"
+                "      set Velocity y = 0\n    end\n  end\nend\n");
+  const auto warns = [&](std::vector<std::string> changes) {
+    changes.insert(changes.end(), {"Couplings/block/Groups=ball", "Couplings/block/Boundary=y max"});
+    const Outcome found = outcome_of(folder, "check", "x.prm", changes);
+    INFO(found.err);
+    REQUIRE(found.status == 0);
+    return found.out.find("warning      coupling block: neither the weight nor a velocity") != std::string::npos;
+  };
+  CHECK(warns({}));
+  CHECK(warns({"Particles/Forces/ball/Force x=0"}));
+  CHECK(warns({"Particles/Motion/other/Velocity y=-1"})); // of another particle, which nothing joins to it
+  CHECK(!warns({"Particles/Motion/ball/Velocity y=-1"}));
+  CHECK(!warns({"Particles/Motion/ball/Velocity y=-t"}));
+  CHECK(!warns({"Particles/Forces/ball/Force z=-1"}));
+  CHECK(!warns({"Particles/Motion/other/Velocity y=-1", "Particles/More particles/other/Centre=0.05, 0.06, 0.0474"}));
+  CHECK_THAT(run(folder.path(), {"check", places::scene("hertz_impact.prm"), "-s", "Couplings/top/Boundary=y max"}).out,
+             Contains("warning      coupling top: neither the weight nor a velocity leads its particles to Boundary"));
 }

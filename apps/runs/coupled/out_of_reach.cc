@@ -11,24 +11,82 @@ namespace apps
 {
   namespace
   {
+    constexpr std::size_t most_pairs = 100'000'000; // that are visited; a forecast must not last
+
     bool varies(const Expressions &formulas)
     {
       return std::any_of(formulas.begin(), formulas.end(), [](const Expression &e) { return e.varies_in_time(); });
     }
 
-    /** By something that is not checked here. */
+    /** Not given, or the constant 0, which only holds. */
+    bool is_zero(const Expression &e)
+    {
+      return !e.given() || (!e.varies_in_time() && !e.varies_in_space() && e(0, 0, 0, 0) == 0);
+    }
+
+    bool all_zero(const Expressions &formulas)
+    {
+      return std::all_of(formulas.begin(), formulas.end(), [](const Expression &e) { return is_zero(e); });
+    }
+
+    /** The solid, or any particle: by something that is not checked here. */
     bool is_driven(const CoupledModel &model)
     {
       const ParticlesModel &particles = model.particles;
       const auto           &held      = model.continuum.loads.boundaries;
-      return !particles.motion.motions.empty() || !particles.forces.forces.empty() || model.laboratory.given() ||
-             any_given(model.continuum.motion.initial_velocity) ||
+      return model.laboratory.given() || any_given(model.continuum.motion.initial_velocity) ||
              std::any_of(particles.walls.walls.begin(), particles.walls.walls.end(),
                          [](const WallSection &wall) {
-                           return any_given(wall.velocity) || any_given(wall.spin) ||
+                           return !all_zero(wall.velocity) || !all_zero(wall.spin) ||
                                   wall.control == WallSection::Control::force;
                          }) ||
              std::any_of(held.begin(), held.end(), [](const auto &boundary) { return varies(boundary->displacement); });
+    }
+
+    /** Particles that a motion or a force leads somewhere; those that are held alone are not among them. Sorted. */
+    std::vector<std::size_t> driven_particles(const ParticlesModel &model, const ParticleGroups &groups)
+    {
+      std::vector<std::size_t> driven;
+      const auto               add = [&](const std::string &group) {
+        const auto &members = groups.at(group);
+        driven.insert(driven.end(), members.begin(), members.end());
+      };
+      for (const PrescribedFormulas &motion : model.motion.motions)
+        if (!all_zero(motion.velocity) || !all_zero(motion.spin) || !all_zero(motion.turn))
+          add(motion.group);
+      for (const GroupForce &push : model.forces.forces)
+        if (!all_zero(push.force))
+          add(push.group);
+      std::sort(driven.begin(), driven.end());
+      return driven;
+    }
+
+    /** Whether driven particles (sorted) are linked to others, or begin at one that is not driven. */
+    bool take_others_along(const dem::ObservedSpecimen &specimen, const std::vector<std::size_t> &driven)
+    {
+      const dem::Counts counts = specimen.counts();
+      if (counts.links > 0 || counts.particles * driven.size() > most_pairs)
+        return !driven.empty();
+      for (const std::size_t i : driven)
+        {
+          const dem::ParticleState p = specimen.particle(i);
+          for (std::size_t k = 0; k < counts.particles; ++k)
+            {
+              const dem::ParticleState other = specimen.particle(k);
+              if ((other.position - p.position).norm() <= 1.01 * (other.radius + p.radius) &&
+                  !std::binary_search(driven.begin(), driven.end(), k))
+                return true;
+            }
+        }
+      return false;
+    }
+
+    /** Both sorted. */
+    bool have_common(const std::vector<std::size_t> &particles, const std::vector<std::size_t> &others)
+    {
+      return std::any_of(others.begin(), others.end(), [&](const std::size_t i) {
+        return std::binary_search(particles.begin(), particles.end(), i);
+      });
     }
 
     /** Outward normal of a face, and a point of it. */
@@ -53,8 +111,7 @@ namespace apps
                   const dem::Surface             &surface,
                   const Eigen::Vector3d          &weight)
     {
-      constexpr std::size_t most = 100'000'000; // pairs that are visited; a forecast must not last
-      if (surface.mesh.size() * particles.size() > most)
+      if (surface.mesh.size() * particles.size() > most_pairs)
         return true;
       for (std::size_t f = 0; f < surface.mesh.size(); ++f)
         {
@@ -96,11 +153,14 @@ namespace apps
     std::string text;
     if (is_driven(model) || specimen.counts().wall_contacts > 0)
       return text;
+    const std::vector<std::size_t> driven = driven_particles(model.particles, groups);
+    if (take_others_along(specimen, driven))
+      return text;
     for (const CouplingSection &coupling : model.couplings.couplings)
       {
         const dem::Surface *surface   = surface_named(specimen, coupling.name);
         const auto          particles = members_of(coupling, groups, specimen.counts().particles);
-        if (surface == nullptr || particles.empty() ||
+        if (surface == nullptr || particles.empty() || have_common(particles, driven) ||
             in_reach(specimen, particles, *surface, model.particles.gravity.vector()))
           continue;
         text +=
