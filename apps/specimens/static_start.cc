@@ -1,5 +1,7 @@
 #include "apps/specimens/static_start.h"
 
+#include "apps/process/progress.h"
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -9,7 +11,17 @@ namespace apps
   {
     if (!gravity.asks_for_equilibrium())
       return {};
-    return specimen.find_equilibrium();
+    Progress progress("initial equilibrium");
+    return specimen.find_equilibrium(
+      [&](const dem::InitialEquilibrium &so_far) { progress.update(search_text(so_far)); });
+  }
+
+  std::string search_text(const dem::InitialEquilibrium &so_far)
+  {
+    const std::string next = fmt::format("solution {}", so_far.solutions + 1);
+    return so_far.solutions == 0 ? next :
+                                   fmt::format("{}: unbalanced force {:.2g} of the link forces, sought {:.0e}", next,
+                                               so_far.unbalanced_ratio, dem::wanted_unbalanced_ratio);
   }
 
   namespace
@@ -31,7 +43,7 @@ namespace apps
       fmt::format("displaced by {:.3g} m at most, links strained to {:.2g} of their limit; unbalanced "
                   "ratio {:.1e} after {} solutions",
                   found.largest_displacement, found.largest_strain, found.unbalanced_ratio, found.solutions);
-    if (found.unbalanced_ratio > 1e-10)
+    if (found.unbalanced_ratio > dem::wanted_unbalanced_ratio)
       text += fmt::format(" (rounding of coordinates: {:.0e})", found.rounding);
     if (!found.unsettled.empty())
       text += fmt::format("; {} of the particles {} no equilibrium and will move: {}", found.unsettled.size(),

@@ -13,8 +13,11 @@ namespace apps
   /** What a static start found; nothing where none was requested. */
   using StaticStart = std::optional<dem::InitialEquilibrium>;
 
-  /** Bring a specimen that is held as the scene says to its initial equilibrium, if one is requested. @throws base::InputError */
+  /** Bring a specimen that is held as the scene says to its initial equilibrium, if one is requested, and show how far that is. @throws base::InputError */
   StaticStart start_statically(dem::Specimen &specimen, const GravitySection &gravity);
+
+  /** How far the search for it is, before the next solution. */
+  std::string search_text(const dem::InitialEquilibrium &so_far);
 
   /** One line. */
   std::string    text_of(const dem::InitialEquilibrium &found);

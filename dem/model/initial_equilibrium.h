@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -23,4 +24,9 @@ namespace dem
     std::vector<std::int32_t> unsettled;
     std::string               solver; ///< method, iterations, residual of the first solution
   };
+
+  constexpr double wanted_unbalanced_ratio = 1e-10; ///< at which one is found, unless rounding allows none
+
+  /** Is told before each solution what has been found so far: the search may last. */
+  using EquilibriumWatch = std::function<void(const InitialEquilibrium &so_far)>;
 } // namespace dem

@@ -193,7 +193,7 @@ namespace dem
     double begin_contacts();
     /** Work of the weight on the way from the packing to where the particles were at t_n [J]. */
     double             weight_work();
-    InitialEquilibrium find_equilibrium();
+    InitialEquilibrium find_equilibrium(const EquilibriumWatch &watch);
     /** Forces of links and weight where the particles are. */
     void find_forces();
     /** Move particles (by packing number) as a step would: the links follow with the next forces. */

@@ -18,8 +18,7 @@ namespace dem
 {
   namespace
   {
-    constexpr double wanted_ratio   = 1e-10;
-    constexpr int    most_solutions = 30; // each gains the digits of 1/strain, unless the specimen is about to buckle
+    constexpr int most_solutions = 30; // each gains the digits of 1/strain, unless the specimen is about to buckle
     /** Share of the weight along a motion that nothing holds, beyond rounding. */
     constexpr double no_load = 1e-9;
     /** Of the particles: more without equilibrium, and the specimen is not what it was meant to be. */
@@ -282,7 +281,7 @@ namespace dem
       }
   }
 
-  InitialEquilibrium SpecimenCore::find_equilibrium()
+  InitialEquilibrium SpecimenCore::find_equilibrium(const EquilibriumWatch &watch)
   {
     InitialEquilibrium             found;
     const std::vector<HeldMotions> fixed = held_motions(particles, parameters.loose);
@@ -304,6 +303,8 @@ namespace dem
     left = unbalanced();
     while (true)
       {
+        if (watch)
+          watch(found);
         const ElasticNetwork network = network_of(particles, bonds, *bond_law, parameters.physics);
         const RigidMotions   rigid(network, fixed, found.unsettled);
         if (found.solutions == 0 && rigid.loaded_by(left) > no_load)
@@ -331,7 +332,8 @@ namespace dem
         const bool     stalls   = found.solutions > 1 && residual.ratio > 0.5 * found.unbalanced_ratio;
         found.unbalanced_ratio  = residual.ratio;
         found.rounding          = residual.rounding;
-        if (residual.ratio <= wanted_ratio || (stalls && residual.ratio <= rounding_margin * residual.rounding))
+        if (residual.ratio <= wanted_unbalanced_ratio ||
+            (stalls && residual.ratio <= rounding_margin * residual.rounding))
           break;
         if (found.solutions == most_solutions || !std::isfinite(residual.ratio))
           refuse_unbalanced(found);
@@ -362,7 +364,7 @@ namespace dem
       }
   }
 
-  InitialEquilibrium Specimen::find_equilibrium()
+  InitialEquilibrium Specimen::find_equilibrium(const EquilibriumWatch &watch)
   {
     if (self->step_count > 0)
       refuse("must be found before the first step.");
@@ -372,7 +374,7 @@ namespace dem
       refuse("walls only push, and the static solver knows no contact. Let the weight settle in motion.");
     if (!self->clumps.empty())
       refuse("the static solver knows no clumps. Let the weight settle in motion.");
-    return self->find_equilibrium();
+    return self->find_equilibrium(watch);
   }
 
   ElasticNetwork ObservedSpecimen::network() const

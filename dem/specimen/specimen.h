@@ -85,7 +85,7 @@ namespace dem
      * Displacements count from the packing; the stored energy becomes initial energy.
      * @throws base::InputError, naming particles, where there is no such equilibrium or not every link stays elastic in it
      */
-    InitialEquilibrium find_equilibrium();
+    InitialEquilibrium find_equilibrium(const EquilibriumWatch &watch = {});
 
     /** Everything needed to go on to the same bits; a reader must be given a specimen made of the same packing and parameters. */
     void visit_state(base::StateVisitor &visitor);

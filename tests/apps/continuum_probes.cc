@@ -1,7 +1,8 @@
 // What the probes of a solid read, against closed forms, at displacements made by hand.
 #include "apps/process/mpi_session.h"
-#include "apps/runs/continuum/probes.h"
+#include "apps/runs/continuum/analysis.h"
 #include "apps/runs/continuum/model.h"
+#include "apps/runs/continuum/probes.h"
 #include "apps/runs/continuum/solid.h"
 #include "apps/scene/kinds/read_scene.h"
 #include "apps/scene/scene_of.h"
@@ -141,4 +142,21 @@ TEST_CASE("A point of the probes outside the solid is refused at its place", "[a
   std::string text = bar();
   text.replace(text.find("1.5, 0.5"), 8, "2.5, 0.5");
   CHECK_THROWS_WITH(Probed(text), Catch::Contains("bar.prm") && Catch::Contains("Points/three quarters: "));
+}
+
+TEST_CASE("The equilibrium that a static solid begins with says how far it is, by iteration", "[apps]")
+{
+  const Probed             pulled(bar());
+  const auto               analysis = apps::make_static_analysis(*pulled.solid, pulled.model);
+  std::vector<std::string> told;
+  analysis->tell_iterations_to([&](const std::string &so_far) { told.push_back(so_far); });
+  CHECK(analysis->static_solver()->relax_to(1).converged);
+  REQUIRE(!told.empty());
+  for (const std::string &line : told)
+    CHECK_THAT(line, Catch::StartsWith("iteration ") && Catch::Contains(": unbalanced force ") &&
+                       Catch::EndsWith(" times the tolerance"));
+  analysis->tell_iterations_to({});
+  const std::size_t before = told.size();
+  CHECK(analysis->static_solver()->relax_to(2).converged);
+  CHECK(told.size() == before);
 }

@@ -1,3 +1,4 @@
+#include "apps/specimens/static_start.h"
 #include "postprocess/files/csv_table.h"
 #include "tests/apps/program.h"
 #include "tests/apps/scenes.h"
@@ -89,4 +90,13 @@ TEST_CASE("Gravity that nothing can carry is refused with the reason, and nothin
   refused({"x.prm", "-s", "Physics/Dimension=2", "-s", "Specimen/Thickness=1", "-s", "Loading/Axis=x", "-s",
            "Gravity/Acceleration=0, 0, -9.81"},
           {"Gravity", "z must be 0"});
+}
+
+TEST_CASE("A log says how far the search for an initial equilibrium is", "[apps][gravity]")
+{
+  dem::InitialEquilibrium so_far;
+  CHECK(apps::search_text(so_far) == "solution 1");
+  so_far.solutions        = 2;
+  so_far.unbalanced_ratio = 2.53e-6;
+  CHECK(apps::search_text(so_far) == "solution 3: unbalanced force 2.5e-06 of the link forces, sought 1e-10");
 }

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 using Catch::Contains;
 using Eigen::Vector3d;
@@ -330,6 +331,26 @@ TEST_CASE("a particle on a hinge supports nothing", "[dem][statics][gravity]")
   CHECK(found.unbalanced_ratio <= std::max(1e-10, 4 * found.rounding));
 }
 
+TEST_CASE("whoever watches the search for an equilibrium is told before each solution what is left over",
+          "[dem][statics][gravity]")
+{
+  omp_set_num_threads(1);
+  const HeldBody body;
+  dem::Specimen  specimen(body.packing, with_gravity(cluster::elastic(cluster::bonded(2.0)), {0.4e3, -0.3e3, -1e3}),
+                          cluster::concrete());
+  specimen.grips().add(held(body.feet));
+  std::vector<double> left;
+  const auto          found = specimen.find_equilibrium([&](const dem::InitialEquilibrium &so_far) {
+    CHECK(so_far.solutions == static_cast<int>(left.size()));
+    left.push_back(so_far.unbalanced_ratio);
+  });
+  REQUIRE(found.solutions >= 2);
+  REQUIRE(left.size() == static_cast<std::size_t>(found.solutions));
+  for (std::size_t k = 1; k < left.size(); ++k)
+    CHECK(left[k] > dem::wanted_unbalanced_ratio);
+  CHECK(std::is_sorted(left.begin() + 1, left.end(), std::greater<double>()));
+}
+
 TEST_CASE("without gravity the packing is the equilibrium", "[dem][statics][gravity]")
 {
   dem::Specimen specimen(cluster::cubic_lattice(2, 2, 3, r), cluster::next_neighbours(), cluster::concrete());
@@ -343,15 +364,15 @@ TEST_CASE("a beam sags under its weight before it is hit; the impactor waits", "
 {
   omp_set_num_threads(1);
   dem::ImpactParameters impact;
-  impact.span             = 0.036;
-  impact.support_width    = 2.5e-3;
+  impact.span              = 0.036;
+  impact.support_width     = 2.5e-3;
   impact.impactor_radius   = 2e-3;
   impact.impactor_velocity = 1;
-  impact.longest          = 1e-4;
-  auto p                  = with_gravity(cluster::bonded(1.5), {0, 0, -500});
-  p.loose                 = 1;
-  const auto      beam    = cluster::cubic_lattice(21, 3, 3, r);
-  const auto      packing = dem::with_impactor(beam, impact, 3);
+  impact.longest           = 1e-4;
+  auto p                   = with_gravity(cluster::bonded(1.5), {0, 0, -500});
+  p.loose                  = 1;
+  const auto      beam     = cluster::cubic_lattice(21, 3, 3, r);
+  const auto      packing  = dem::with_impactor(beam, impact, 3);
   dem::Specimen   specimen(packing, p, cluster::concrete());
   dem::ImpactTest test(specimen, impact);
   const auto      found = specimen.find_equilibrium();

@@ -6,7 +6,9 @@
 #include "fem/explicit/explicit_solver.h"
 #include "fem/solvers/step_control.h"
 
+#include <functional>
 #include <map>
+#include <string>
 
 namespace apps
 {
@@ -51,6 +53,8 @@ namespace apps
 
     /** The solver of a static analysis; nullptr of others. */
     virtual fem::StaticSolver<dim> *static_solver() { return nullptr; }
+    /** Who is told how far an iteration of that solver is which belongs to no step of advance(); {}: nobody. */
+    virtual void tell_iterations_to(std::function<void(const std::string &)> /*listener*/) {}
 
     /** Everything to go on to the same bits, histories of the points included. Columns hold this rank's part. */
     virtual void visit_state(base::StateVisitor &visitor) = 0;

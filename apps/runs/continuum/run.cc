@@ -173,8 +173,10 @@ namespace apps
       notify(request, &RunObserver::warns, warning);
     if (settle)
       {
-        const Progress progress("equilibrium of the start");
+        Progress progress("equilibrium of the start");
+        analysis->tell_iterations_to([&](const std::string &so_far) { progress.update(so_far); });
         settle(*solid, *analysis);
+        analysis->tell_iterations_to({});
         probes->start_at(*analysis->state().displacement);
         if (model.output.fracture_zone)
           dissipated.start_at(*solid, *analysis->state().displacement);

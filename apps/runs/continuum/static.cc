@@ -199,6 +199,7 @@ namespace apps
       std::string linear_solver() const override { return solver.linear_solver(); }
 
       fem::StaticSolver<dim> *static_solver() override { return &solver; }
+      void tell_iterations_to(std::function<void(const std::string &)> told) override { listener = std::move(told); }
 
       void visit_state(base::StateVisitor &visitor) override
       {
@@ -241,25 +242,29 @@ namespace apps
         Progress *&shown;
       };
 
-      /** A step may take long: how far its iteration is. */
+      /** A step, or what is sought without one, may take long: how far its iteration is. */
       void show_iteration(const unsigned int iteration, const double over_tolerance)
       {
+        const std::string so_far =
+          fmt::format("iteration {}: unbalanced force {:.2g} times the tolerance", iteration, over_tolerance);
         if (working)
           working->update(
-            fmt::format("step {} towards {:.3e} of {:.3e}, iteration {}: unbalanced force {:.2g} times the tolerance",
-                        accepted + 1, coordinate() + length, end(), iteration, over_tolerance));
+            fmt::format("step {} towards {:.3e} of {:.3e}, {}", accepted + 1, coordinate() + length, end(), so_far));
+        else if (listener)
+          listener(so_far);
       }
 
-      fem::Solid<dim>       &solid;
-      const ControlSection  &control;
-      fem::StaticSolver<dim> solver;
-      fem::PathControl       path;
-      const double           first;  ///< step
-      double                 length; ///< of the next step
-      double                 travelled = 0, seconds = 0;
-      std::int64_t           accepted = 0, iterations = 0, rounded = 0, relaxed = 0;
-      fem::StepReport        report_of_last;
-      Progress              *working = nullptr; ///< on a step
+      fem::Solid<dim>                         &solid;
+      const ControlSection                    &control;
+      fem::StaticSolver<dim>                   solver;
+      fem::PathControl                         path;
+      const double                             first;  ///< step
+      double                                   length; ///< of the next step
+      double                                   travelled = 0, seconds = 0;
+      std::int64_t                             accepted = 0, iterations = 0, rounded = 0, relaxed = 0;
+      fem::StepReport                          report_of_last;
+      Progress                                *working = nullptr; ///< on a step
+      std::function<void(const std::string &)> listener;          ///< beside steps
     };
   } // namespace
 

@@ -4,7 +4,6 @@
 #include "apps/figures/energy_terms.h"
 #include "apps/process/mpi_ranks.h"
 #include "apps/process/mpi_session.h"
-#include "apps/process/progress.h"
 #include "apps/results/warning.h"
 #include "apps/specimens/written_state.h"
 #include "base/errors.h"
@@ -92,11 +91,7 @@ namespace apps
     test.watch([this, sign](const dem::UniaxialSample &now) { sideways.note(specimen, axis, sign * now.stress); });
   }
 
-  void UniaxialLabTest::settle()
-  {
-    const Progress progress("initial equilibrium");
-    result.start = start_statically(specimen, gravity);
-  }
+  void UniaxialLabTest::settle() { result.start = start_statically(specimen, gravity); }
 
   void UniaxialLabTest::open(const std::filesystem::path &folder)
   {
