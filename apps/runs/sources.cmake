@@ -27,6 +27,7 @@ set(runs_sources
   models/region.cc
   models/specimen.cc
   models/specimen_parameters.cc
+  models/start_velocity.cc
   models/tension_beyond_apex.cc
   models/time.cc
   process/interrupt.cc

@@ -142,6 +142,6 @@ TEST_CASE("a cell scene refuses a path that means nothing", "[apps][S14]")
   refused("Loading/Leg 1/xx=strain", "expected \"strain VALUE\"");
   refused("Loading/Legs=12", "Legs");
   refused("Specimen/File=pair.txt", "not periodic");
-  refused("Loading/Leg 1/Duration=1e9", "steps of");
+  refused("Loading/Leg 1/Duration=1e9 s", "steps of");
   CHECK_FALSE(std::filesystem::exists(folder / "out"));
 }

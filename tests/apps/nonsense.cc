@@ -96,7 +96,7 @@ TEST_CASE("Numbers that no quantity of their unit can have are refused", "[apps]
   set("Specimen/Density=1e308", "Specimen/Density = 1e308: expected a number > 0, of a size from 1e-09 to 1");
   set("Loading/Tension/Strain rate=1e300", "Loading/Tension/Strain rate = 1e300: expected a number > 0, of a size");
   set("Material/CPM/Normal modulus=1e-300", "Material/CPM/Normal modulus = 1e-300: expected a number > 0, of a size");
-  set("Loading/Tension/Strain rate=1e8", "Loading, tension: strain 0.001 at 100000000 1/s would take");
+  set("Loading/Tension/Strain rate=1e8 1/s", "Loading, tension: strain 0.001 at 100000000 1/s would take");
 }
 
 TEST_CASE("A formula that assigns, or has several values, is refused", "[apps][S14]")

@@ -3,6 +3,7 @@
 #include "tests/apps/scene_runs.h"
 #include "tests/apps/scenes.h"
 #include "tests/apps/scratch_folder.h"
+#include "tests/places.h"
 
 #include <catch2/catch.hpp>
 
@@ -98,4 +99,24 @@ TEST_CASE("A table that is none is refused with the file and the place in it", "
   folder.file("y.prm", two_squares_scene());
   folder.file("load.csv", "time,pull\n0,0\n1,2\n");
   is_refused(folder, "y.prm", {"Boundary conditions/right/Traction x=table load.csv"}, "In MPa or kPa?");
+}
+
+TEST_CASE("A velocity at the start that varies in time, by a table or by t, is refused", "[apps]")
+{
+  const ScratchFolder folder;
+  folder.file("way.csv", "time,velocity\n0,1\n1,2\n");
+  folder.file("x.prm", replaced(moved_ball, "subsection Motion\n", "subsection Initial velocity\n"));
+  const std::string once = ": is taken once, at the start: a number, or a formula of x, y and z.";
+  is_refused(folder, "x.prm", {}, "Initial velocity/ball/Velocity x = table way.csv" + once);
+  is_refused(folder, "x.prm", {"Initial velocity/ball/Velocity x=-t"}, "Initial velocity/ball/Velocity x = -t" + once);
+  is_refused(folder, "x.prm", {"Initial velocity/ball/Velocity x=1", "Initial velocity/ball/Spin z=2*t"},
+             "Initial velocity/ball/Spin z = 2*t" + once);
+  CHECK(outcome_of(folder, "check", "x.prm", {"Initial velocity/ball/Velocity x=1 + y"}).status == 0);
+  const auto refused = [&](const std::string &scene, const std::string &entry) {
+    const Outcome found = run(folder.path(), {"check", places::scene(scene), "-s", entry + "=table way.csv"});
+    CHECK(found.status == 2);
+    CHECK_THAT(found.err, Contains(entry + " = table way.csv" + once));
+  };
+  refused("bar_impact.prm", "Motion/Initial velocity x");
+  refused("peridynamic_impact.prm", "Initial velocity/x");
 }

@@ -45,7 +45,11 @@ TEST_CASE("A number of another unit is questioned in every dimension, and taken 
     OddNumber{"pressed_spheres.prm", "Walls/box/Upper", "46, 46, 300", "m", "that is far away. In mm?"},
     OddNumber{"bar_impact.prm", "Boundary conditions/left/Displacement x", "5", "m", "that is far. In mm?"},
     OddNumber{"plate_with_hole.prm", "Boundary conditions/right/Traction x", "1*t", "Pa", "In MPa or kPa?"},
-    OddNumber{"plate_with_hole.prm", "Body force/y", "-24*t", "N/m^3", "In kN/m^3?"});
+    OddNumber{"plate_with_hole.prm", "Body force/y", "-24*t", "N/m^3", "In kN/m^3?"},
+    OddNumber{"quick_uniaxial.prm", "Loading/Tension/Strain rate", "100", "1/s", "In per mille or per cent a second?"},
+    OddNumber{"bouncing_sphere.prm", "Time/End time", "500", "s", "In ms or us?"},
+    OddNumber{"rock_compression.prm", "Laboratory/Smoothing depth", "1", "m", "a small part of a particle"},
+    OddNumber{"bouncing_sphere.prm", "Initial velocity/ball/Velocity z", "-1500", "m/s", "In mm/s?"});
   const ScratchFolder folder;
   INFO(odd.scene << ": " << odd.entry << " = " << odd.value);
   const auto check = [&](const std::string &value) {
@@ -58,6 +62,18 @@ TEST_CASE("A number of another unit is questioned in every dimension, and taken 
   CHECK_THAT(requested.err, Contains(odd.entry + " = " + odd.value + ": ") && Contains(odd.question) &&
                               Contains("If it is meant, name the unit: " + odd.value + " " + odd.unit));
   CHECK_THAT(check(odd.value + " " + odd.unit).err, Contains("Output/Samples = none: expected a whole number"));
+}
+
+TEST_CASE("The thickness and the end of a peridynamic body are questioned, and taken with their unit named", "[apps]")
+{
+  const ScratchFolder folder;
+  const auto          check = [&](const std::string &change) {
+    return run(folder.path(), {"check", places::scene("peridynamic_branching.prm"), "-s", change});
+  };
+  CHECK_THAT(check("Body/Thickness=10").err, Contains("Body/Thickness = 10: that is large. In mm?"));
+  CHECK(check("Body/Thickness=10 m").status == 0);
+  CHECK_THAT(check("Analysis/End time=500").err,
+             Contains("Analysis/End time = 500: that is long") && Contains("name the unit: 500 s"));
 }
 
 TEST_CASE("A column of any usual unit is put into that of the System", "[apps]")

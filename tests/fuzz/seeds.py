@@ -33,7 +33,7 @@ subsection Loading
     set Strain rate = 20
   end
   subsection Compression
-    set Strain rate = 100
+    set Strain rate = 100 1/s
   end
 end
 subsection Output
@@ -132,7 +132,7 @@ subsection Loading
   set Axis           = z
   set Grip thickness = 2.2e-3
   subsection Compression
-    set Strain rate = 200
+    set Strain rate = 200 1/s
   end
 end
 subsection Output
@@ -153,7 +153,7 @@ subsection Particles
   subsection Material
 {CPM}  end
   subsection Uniaxial
-    set Strain rate    = 100
+    set Strain rate    = 100 1/s
     set Grip thickness = 0.5e-3
     set Instants       = -4e-4, -1.5e-3
     set End strain     = 0

@@ -1,5 +1,6 @@
 #include "apps/runs/continuum/model.h"
 
+#include "apps/models/start_velocity.h"
 #include "apps/runs/continuum/cells.h"
 #include "apps/runs/continuum/upright.h"
 #include "apps/text/nearest_name.h"
@@ -61,6 +62,7 @@ namespace apps
       s.refuse("Mean dilatation", "is a small-strain form. Switch it off with large displacements.");
     if (!motion.rigid.empty() && !solid.large_displacement)
       root.at("Motion").refuse("Rigid bodies", "they turn: Model/Large displacement = true goes with them.");
+    refuse_time(root.at("Motion"), "Initial velocity", motion.initial_velocity);
     mesh.check(root, solid.dimension);
     materials.check(root, solid.large_displacement);
     if (is_static())

@@ -1,5 +1,7 @@
 #include "apps/runs/particles/initial_velocity.h"
 
+#include "apps/models/start_velocity.h"
+
 #include <map>
 
 namespace apps
@@ -11,7 +13,11 @@ namespace apps
     for (const MotionFormulas &given : velocities)
       names.require_section(all, given.group);
     for (const MotionFormulas &given : velocities)
-      given.check(all.at(given.group), physics);
+      {
+        given.check(all.at(given.group), physics);
+        refuse_time(all.at(given.group), "Velocity", given.velocity);
+        refuse_time(all.at(given.group), "Spin", given.spin);
+      }
   }
 
   void

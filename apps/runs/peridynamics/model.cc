@@ -1,5 +1,6 @@
 #include "apps/runs/peridynamics/model.h"
 
+#include "apps/models/start_velocity.h"
 #include "base/errors.h"
 
 #include <fmt/format.h>
@@ -83,6 +84,7 @@ namespace apps
     check_body(root);
     materials.check(root, space(), place_of(size), !analysis.quiet());
     check_places(root);
+    refuse_time(root.at("Initial velocity"), "", velocity);
     loads.check(root, dimension());
   }
 

@@ -5,6 +5,7 @@
 #include "apps/scene/continuum/loads.h"
 #include "apps/scene/continuum/materials.h"
 #include "apps/scene/continuum/mesh.h"
+#include "apps/scene/entries/components.h"
 #include "apps/scene/entries/contact_figures.h"
 #include "apps/scene/entries/gravity.h"
 #include "apps/scene/entries/precice.h"
@@ -107,10 +108,8 @@ namespace apps
       .means("Materials of bodies that move without deforming, separated by commas; of the material only the density "
              "counts, "
              "and its stiffness for the time step: take a soft one");
-    for (int i = 0; i < 3; ++i)
-      s.expression(std::string("Initial velocity ") + "xyz"[i], motion.initial_velocity[static_cast<std::size_t>(i)],
-                   "m/s")
-        .means("At the start; empty: at rest");
+    declare_components(s, "Initial velocity", motion.initial_velocity, "m/s", "At the start; empty: at rest");
+    by_place_alone(s, "Initial velocity");
   }
 
   void declare(Section &root, ContinuumOutputSection &continuum_output, std::function<bool()> is_explicit)

@@ -14,4 +14,11 @@ namespace apps
     for (std::size_t i = 0; i < 3; ++i)
       section.expression(quantity + (quantity.empty() ? "" : " ") + "xyz"[i], members[i], unit).means(meaning);
   }
+
+  /** What has been declared so is that of the start: by place alone, as models demand. */
+  inline void by_place_alone(Section &section, const std::string &quantity)
+  {
+    for (const char axis : {'x', 'y', 'z'})
+      section.find_entry(quantity + (quantity.empty() ? "" : " ") + axis)->allowed = "in x, y, z [m], or empty";
+  }
 } // namespace apps

@@ -1,5 +1,6 @@
 #include "apps/scene/particles/initial_velocity.h"
 
+#include "apps/scene/entries/components.h"
 #include "apps/scene/particles/motion.h"
 #include "apps/scene/section.h"
 
@@ -17,6 +18,8 @@ namespace apps
                     declare(opened, added,
                             "At the start, by the place of each particle; empty: none, and of a rigid body's "
                             "particles whatever the other components make of it");
+                    by_place_alone(opened, "Velocity");
+                    by_place_alone(opened, "Spin");
                   });
   }
 } // namespace apps

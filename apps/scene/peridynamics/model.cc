@@ -142,6 +142,7 @@ namespace apps
     declare(root, model.loads);
     Section &start = root.section("Initial velocity", "Of the motion, by place");
     declare_components(start, "", model.velocity, "m/s", "Empty: at rest");
+    by_place_alone(start, "");
     declare(root, model.analysis);
     declare(root, model.output);
   }
