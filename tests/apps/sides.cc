@@ -170,3 +170,12 @@ TEST_CASE("check warns of a coupling out of reach beside motions and forces that
   CHECK_THAT(run(folder.path(), {"check", places::scene("hertz_impact.prm"), "-s", "Couplings/top/Boundary=y max"}).out,
              Contains("warning      coupling top: neither the weight nor a velocity leads its particles to Boundary"));
 }
+
+TEST_CASE("A particle that begins in a coupled side is refused by the coupling's name, and not as at a wall",
+          "[apps][coupled]")
+{
+  const ScratchFolder folder;
+  folder.file("x.prm", ball_on_block);
+  is_refused(folder, "x.prm", {"Particles/More particles/ball/Centre=0.05, 0.05, 0.022"},
+             "surface block: particle 1 at ( 0.05  0.05 0.022) m lies in it by 0.008 m");
+}
