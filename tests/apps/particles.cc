@@ -147,7 +147,13 @@ TEST_CASE("A run whose balls turn far in a step says so", "[apps][particles]")
   CHECK(spun("1").summary["warnings"].empty());
   const Results fast = spun("2000");
   REQUIRE(fast.summary["warnings"].size() == 1);
-  CHECK_THAT(fast.summary["warnings"][0].get<std::string>(), Contains("rad in a step"));
+  const auto said = fast.summary["warnings"][0].get<std::string>();
+  CHECK_THAT(said, Catch::StartsWith("particles turned by up to 0.0") &&
+                     Contains(" rad in a step; laws of links hold for rotations that are small in a step (here at most "
+                              "0.01). Lower Time/Step factor"));
+  // It turns freely: by as much in every step.
+  const double step = fast.summary["end_time"]["value"].get<double>() / fast.summary["cost"]["steps"].get<double>();
+  CHECK(std::stod(said.substr(said.find("0.0"))) == Approx(2000 * step).epsilon(0.05));
 }
 
 TEST_CASE("Two balls that meet exchange momentum by their masses, and lose no energy", "[apps][particles]")
