@@ -6,8 +6,8 @@
 #
 # A block after the line <!-- takes long --> is looked at instead of run: `check` in place of `run`, `transfer` and `study`, `--help` in place of
 # what a benchmark or an inversion does. After <!-- shortened by WORDS --> it is run, with these words added to each `run` and `calibrate` of it. `check` of a
-# shipped scene as it is, is left to "apps: Every scene that is shipped is valid and can be set up". `./breccia test` would run this test
-# again, and `./breccia python` would build; both are passed over.
+# shipped scene as it is, is left to "apps: Every scene that is shipped is valid and can be set up, and its page explains what check doubts".
+# `./breccia test` would run this test again, and `./breccia python` would build; both are passed over.
 set -euo pipefail
 
 root=$1 program=$2 scratch=$3
