@@ -5,6 +5,7 @@
 #include "tests/apps/interrupted_runs.h"
 #include "tests/apps/program.h"
 #include "tests/apps/scratch_folder.h"
+#include "tests/gnuplot_scripts.h"
 #include "tests/places.h"
 
 #include <catch2/catch.hpp>
@@ -64,7 +65,8 @@ namespace
 TEST_CASE("A crushed specimen is handed over, carried on, and reported in table, figure and ParaView files",
           "[apps][slow]")
 {
-  const ScratchFolder folder;
+  const ScratchFolder  folder;
+  const GnuplotScripts told(folder.path());
   const Outcome outcome = run(folder.path(), small({"run", scene, "-o", "results", "-s", "Continuum/Control/End=8e-3"},
                                                    "-4e-4, -2.2e-3, -2.2e-3 > -1.5e-3"));
   INFO(outcome.err);
@@ -98,6 +100,9 @@ TEST_CASE("A crushed specimen is handed over, carried on, and reported in table,
   CHECK_THAT(content_of(results / "study.csv"), Contains(",peak [Pa],horizontal_at_peak [-],"));
   // The continuation begins at the particles' own stress, up to the grips' share of the specimen.
   CHECK(std::filesystem::file_size(results / "study.png") > 0);
+  CHECK_THAT(told.text(), Contains("set title 'What the continuum still carries'") &&
+                            Contains("set xlabel 'Strain reached by the particles [1e-3]'") &&
+                            Contains("set ylabel 'Largest stress [MPa]'"));
   const std::string pvd = content_of(results / "transfer.pvd");
   for (const char *part :
        {"name=\"particles\" file=\"transfer/particles_000.vtp\"", "name=\"integration points\"", "name=\"mesh\""})

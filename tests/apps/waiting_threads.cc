@@ -17,10 +17,10 @@ using Catch::Contains;
 namespace
 {
   /// Variables of the environment while it lives; nothing: not set.
-  class Environment
+  class WaitEnvironment
   {
   public:
-    explicit Environment(const std::map<std::string, std::optional<std::string>> &wanted)
+    explicit WaitEnvironment(const std::map<std::string, std::optional<std::string>> &wanted)
     {
       for (const auto &[name, value] : wanted)
         {
@@ -29,13 +29,13 @@ namespace
           set(name, value);
         }
     }
-    ~Environment()
+    ~WaitEnvironment()
     {
       for (const auto &[name, value] : before)
         set(name, value);
     }
-    Environment(const Environment &)            = delete;
-    Environment &operator=(const Environment &) = delete;
+    WaitEnvironment(const WaitEnvironment &)            = delete;
+    WaitEnvironment &operator=(const WaitEnvironment &) = delete;
 
   private:
     static void set(const std::string &name, const std::optional<std::string> &value)
@@ -79,8 +79,8 @@ TEST_CASE("Threads that wait for each other spin a microsecond and sleep then, u
                                                                           {"GOMP_SPINCOUNT", std::nullopt},
                                                                           {"OMP_NUM_THREADS", std::nullopt}};
   {
-    const Environment environment(nothing_said);
-    const std::string two = threads("2");
+    const WaitEnvironment environment(nothing_said);
+    const std::string     two = threads("2");
     CHECK(said_of("GOMP_SPINCOUNT", two).value == "1000");
     CHECK(said_of("GOMP_SPINCOUNT", two).times == 2); // started anew once
     CHECK(said_of("OMP_NUM_THREADS", two).value == "2");
@@ -89,14 +89,14 @@ TEST_CASE("Threads that wait for each other spin a microsecond and sleep then, u
   {
     auto requested              = nothing_said;
     requested["GOMP_SPINCOUNT"] = "77";
-    const Environment environment(requested);
+    const WaitEnvironment environment(requested);
     CHECK(said_of("GOMP_SPINCOUNT", threads("2")).value == "77");
     CHECK(said_of("GOMP_SPINCOUNT", threads("2")).times == 1);
   }
   {
     auto requested               = nothing_said;
     requested["OMP_WAIT_POLICY"] = "active";
-    const Environment environment(requested);
+    const WaitEnvironment environment(requested);
     CHECK(said_of("OMP_WAIT_POLICY", threads("2")).value == "ACTIVE");
   }
 }
