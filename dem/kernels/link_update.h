@@ -229,12 +229,13 @@ namespace dem::link_update
   template <typename P>
   void link_pass(LinkSet &links, const Particles &particles, const LinkLaw &law, const LinkLines &lines)
   {
-    const auto &laws        = static_cast<const LinkLawOf<typename P::Law> &>(law);
-    const auto [first, end] = links.parts_between(lines);
-    if (end - first == 1) // to make a team of threads, even of one, takes longer than the links of few particles
-      return update_block<P>(links, particles, laws, links.part(first), lines.first_column);
+    const auto &laws  = static_cast<const LinkLawOf<typename P::Law> &>(law);
+    const auto  parts = links.parts_between(lines);
+    if (parts.second - parts.first ==
+        1) // to make a team of threads, even of one, takes longer than the links of few particles
+      return update_block<P>(links, particles, laws, links.part(parts.first), lines.first_column);
 #pragma omp parallel for schedule(static)
-    for (std::ptrdiff_t p = first; p < end; ++p)
+    for (std::ptrdiff_t p = parts.first; p < parts.second; ++p)
       update_block<P>(links, particles, laws, links.part(p), lines.first_column);
   }
 

@@ -42,9 +42,9 @@ namespace dem
   /** Put particles to where they have glided since they began [s]. @return their largest displacement on the way from where they were [m] */
   double SpecimenCore::place_gliding(const double since)
   {
-    const double step        = since - gliding.glided;
-    const auto [first, last] = own_particles();
-    double largest           = 0;
+    const double step    = since - gliding.glided;
+    const auto   own     = own_particles();
+    double       largest = 0;
 #pragma omp parallel for schedule(static) reduction(max : largest)
     for (std::size_t i = 0; i < particles.count; ++i)
       {
@@ -55,7 +55,7 @@ namespace dem
         for (int c = 0; c < 6; ++c)
           motion[c] = step * rate[c];
         set_arm_turn(pose, motion);
-        if (i >= first && i < last)
+        if (i >= own.first && i < own.second)
           largest = std::max(largest, Eigen::Vector3d(motion).squaredNorm());
       }
     if (shares())
@@ -80,16 +80,16 @@ namespace dem
   /** What surfaces do not know yet of the particles' motion, now that they have taken their own step from where they began. */
   void SpecimenCore::keep_unseen()
   {
-    unseen                   = particles.motion;
-    const auto [first, last] = own_particles();
-    double largest           = 0;
+    unseen             = particles.motion;
+    const auto own     = own_particles();
+    double     largest = 0;
     for (std::size_t i = 0; i < particles.count; ++i)
       {
         const std::size_t at = record_size * i;
         for (std::size_t c = 0; c < 6; ++c)
           unseen[at + c] -= gliding.seen * gliding.velocity[at + c];
         const Eigen::Vector3d here(&particles.pose[at]), glided_to(&gliding.pose[at]);
-        if (i >= first && i < last)
+        if (i >= own.first && i < own.second)
           largest = std::max(largest, (here - glided_to).squaredNorm());
       }
     surfaces.particles_moved(std::sqrt(largest_of_all(largest)));
