@@ -17,6 +17,7 @@ namespace apps
         const std::size_t bricks = share.end_brick - share.first_brick;
         all.owned += share.owned;
         all.copied += share.copied.size();
+        all.copied_lines += share.copied_lines();
         all.ghosts += share.ghosts.size();
         all.least_bricks    = std::min(all.least_bricks, bricks);
         all.most_bricks     = std::max(all.most_bricks, bricks);
@@ -44,10 +45,11 @@ namespace apps
     text += fmt::format("  memory       {:.3g} MB of particles and links in a rank, and {:.3g} MB where all is read at "
                         "once\n",
                         1e-6 * static_cast<double>(most_bytes), 1e-6 * static_cast<double>(body.bytes()));
-    text +=
-      fmt::format("  shares       {} links and {} copies of cut ones ({:.2g} %); the largest has {:.2f} times the "
-                  "mean work\n",
-                  all.owned, all.copied, 100 * all.copies(), all.largest_work * static_cast<double>(ranks) / all.work);
+    text += fmt::format(
+      "  shares       {} links and {} copies of cut ones ({:.2g} %, with others of their packs {:.2g} %); the "
+      "largest has {:.2f} times the mean work\n",
+      all.owned, all.copied, 100 * all.copies(), 100 * all.twice(),
+      all.largest_work * static_cast<double>(ranks) / all.work);
     text +=
       fmt::format("  ghosts       {} ({:.2g} % of the particles), at most {} of a rank, with {} neighbours\n",
                   all.ghosts, 100 * static_cast<double>(all.ghosts) / particles, all.most_ghosts, all.most_neighbours);

@@ -1,5 +1,7 @@
 #include "dem/ranks/shares.h"
 
+#include "dem/core/simd.h"
+
 #include <algorithm>
 #include <stdexcept>
 #include <string>
@@ -114,6 +116,14 @@ namespace dem
         }
     }
   } // namespace
+
+  std::size_t RankShare::copied_lines() const
+  {
+    std::size_t packs = 0;
+    for (std::size_t k = 0; k < copied.size(); ++k)
+      packs += k == 0 || copied[k] / pack_size != copied[k - 1] / pack_size;
+    return packs * pack_size;
+  }
 
   std::size_t RankShare::sent() const
   {

@@ -33,7 +33,8 @@ namespace dem
 
     std::size_t particles() const { return end_particle - first_particle; }
     std::size_t received() const { return ghosts.size(); }
-    std::size_t sent() const; ///< particles, one that goes to several ranks for each of them
+    std::size_t sent() const;         ///< particles, one that goes to several ranks for each of them
+    std::size_t copied_lines() const; ///< of packs that have a copied link, which are updated as a whole
   };
 
   /**

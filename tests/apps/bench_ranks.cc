@@ -41,6 +41,7 @@ TEST_CASE("bench ranks --on-paper: a rank needs more memory the more ranks there
   const postprocess::CsvTable table = postprocess::read_csv_table(folder / "bench/ranks_on_paper.csv");
   const auto                 &rank = table.column("memory of a rank"), &whole = table.column("memory of all"),
              &efficiency = table.column("efficiency"), &particles = table.column("particles");
+  const auto &cut = table.column("copies"), &twice = table.column("updated twice");
   REQUIRE(rank.size() == 6);
   CHECK(particles.front() == 16384);
   CHECK(efficiency.front() == Approx(1));
@@ -51,6 +52,9 @@ TEST_CASE("bench ranks --on-paper: a rank needs more memory the more ranks there
       CHECK(efficiency[row] > 0);
       CHECK(rank[row] > rank[row - 1]);
       CHECK(rank[row] < whole[row]);
+      // A pack has one cut link at least, and eight at most.
+      CHECK(twice[row] > cut[row]);
+      CHECK(twice[row] < 8 * cut[row]);
     }
   CHECK(std::filesystem::file_size(folder / "bench/ranks_on_paper.png") > 0);
 }
