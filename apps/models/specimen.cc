@@ -39,11 +39,12 @@ namespace apps
       return;
     if (generator.cell_count > 0 && generator.cell_count < 8)
       section.at("Generator").refuse("Cell particles", "must be 0, or at least 8.");
-    if (generator.faces == Faces::moulded && body == Body::cell)
+    if (generator.says_faces && generator.faces == Faces::moulded && body == Body::cell)
       section.at("Generator").refuse("Faces", "a periodic cell has none: leave it out, or set Body = box.");
-    if (generator.faces == Faces::moulded && generator.cell_count > 0)
+    if (generator.faces == Faces::moulded && body == Body::box && generator.cell_count > 0)
       section.at("Generator")
-        .refuse("Cell particles", "a moulded box is made in one piece: leave it out, or set Faces = cut.");
+        .refuse("Cell particles", fmt::format("a moulded box{} is made in one piece: leave it out, or set Faces = cut.",
+                                              generator.says_faces ? "" : ", which Faces has by default,"));
     if (dimension == 2)
       section.refuse(
         "Source",

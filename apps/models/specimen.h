@@ -43,6 +43,7 @@ namespace apps
       double       damping    = dem::CompactionParameters().damping;
       double       pressure   = dem::CompactionParameters().low_pressure; ///< that is left, p 2r/k_n
       Faces        faces      = Faces::cut;
+      bool         says_faces = false; ///< the scene chose them
     };
 
     /** What becomes of a specimen whose particles do not all hang together. */
@@ -64,7 +65,9 @@ namespace apps
     struct Use
     {
       bool inertia = true, box = true, cell = false;
-      bool genesis         = false; ///< particles may be grown into a vessel
+      bool genesis = false; ///< particles may be grown into a vessel
+      bool laboratory =
+        false; ///< a generated box is a specimen of a laboratory: moulded, unless the scene says otherwise
       bool other_particles = false; ///< the scene may have particles from elsewhere, and its law need not bond them
     };
 

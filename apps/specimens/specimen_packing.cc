@@ -150,12 +150,16 @@ namespace apps
       const PackingDensity density = density_in(packing, specimen.box_edges(), dimension);
       if (!density.has_sparse_faces())
         return;
-      give_note(fmt::format("the faces of the specimen are cut and sparse: packing fraction {:.3f} inside, {:.3f} of "
-                            "Specimen/Box size. It is softer and weaker than its inside. {}",
-                            density.inside, density.whole,
-                            specimen.source == SpecimenSection::Source::generator ?
-                              "Specimen/Generator/Faces = moulded gives flat faces." :
-                              "`breccia pack --moulded` makes packings with flat faces."));
+      give_note(
+        fmt::format("the faces of the specimen are cut and sparse: packing fraction {:.3f} inside, {:.3f} of "
+                    "Specimen/Box size. It is softer and weaker than its inside: by its links it has some {:.0f} % of "
+                    "the stiffness. {}",
+                    density.inside, density.whole,
+                    100 * linked_part(packing, specimen.box_edges(), dimension, specimen.interaction_ratio,
+                                      specimen.installation_gap),
+                    specimen.source == SpecimenSection::Source::generator ?
+                      "Specimen/Generator/Faces = moulded gives flat faces." :
+                      "`breccia pack --moulded` makes packings with flat faces."));
     }
 
     dem::Packing make_particles(const SpecimenSection &specimen, const int dimension, std::optional<dem::Packing> *cell)

@@ -111,6 +111,33 @@ TEST_CASE("A moulded specimen of ten diameters is stiffer by a quarter than one 
   const double        cut = modulus(results_of(folder, scene, with(cube, cut_out), {"test"})),
                flat       = modulus(results_of(other, scene, with(cube, moulded), {"test"}));
   CHECK(flat > 1.25 * cut);
+
+  // What the note says is left, beside what is left of the stiffness of the cell.
+  REQUIRE(run(folder.path(), {"pack", "--radius", "0.002", "--count", "1000", "-o", "cell.txt"}).status == 0);
+  const Outcome homogenised = run(folder.path(), {"homogenise", "cell.txt", "--interaction-ratio", "1.5",
+                                                  "--normal-modulus", "25e9", "--shear-ratio", "0.2"});
+  const double  of_cell     = 1e9 * number_after("relaxed +", homogenised.out),
+               said =
+                 number_after("by its links it has some ", outcome_of(folder, "check", scene, with(cube, cut_out)).err);
+  CHECK(said == Approx(100 * cut / of_cell).margin(8));
+}
+
+TEST_CASE("A generated box is moulded where a laboratory's specimen is meant, unless its scene says otherwise",
+          "[apps]")
+{
+  const ScratchFolder folder;
+  const std::string   left_out = replaced(content_of(scene), "    set Faces           = moulded\n", "");
+  folder.file("left_out.prm", left_out);
+  const Outcome by_default = outcome_of(folder, "check", "left_out.prm", cube);
+  CHECK(by_default.out == outcome_of(folder, "check", "left_out.prm", with(cube, moulded)).out);
+  CHECK(by_default.out != outcome_of(folder, "check", "left_out.prm", with(cube, cut_out)).out);
+
+  is_refused(folder, "left_out.prm", {"Specimen/Generator/Cell particles=500"},
+             "a moulded box, which Faces has by default, is made in one piece");
+  // A cell has no faces; that of this kind has them by default all the same.
+  const std::string path = places::sources() + "/apps/scenes/quasi_static.prm";
+  folder.file("cell.prm", replaced(content_of(path), "    set Faces ", "    # "));
+  CHECK(outcome_of(folder, "check", "cell.prm", {"Specimen/Body=cell"}).status == 0);
 }
 
 TEST_CASE("pack moulds a box whose spheres reach to all six faces", "[apps]")

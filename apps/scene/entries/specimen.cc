@@ -38,6 +38,7 @@ namespace apps
           "have more neighbours");
       if (box)
         inner.choice("Faces", generator.faces, {{"cut", Faces::cut}, {"moulded", Faces::moulded}}, Need::optional)
+          .notes(generator.says_faces)
           .means(
             "Of a box. cut: out of a periodic cell; particles wholly inside are kept, so that faces are ragged and "
             "sparse, and "
@@ -65,11 +66,6 @@ namespace apps
     }
   } // namespace
 
-  void declare(Section &root, SpecimenSection &specimen, const int &dimension)
-  {
-    declare(root, specimen, dimension, SpecimenSection::Use());
-  }
-
   void declare(Section &root, SpecimenSection &specimen, const int &dimension, const SpecimenSection::Use &use)
   {
     using Source      = SpecimenSection::Source;
@@ -78,7 +74,9 @@ namespace apps
     const auto boxed  = [&specimen] { return specimen.source == Source::generator && specimen.body == Body::box; };
     specimen.body     = use.box ? Body::box : Body::cell;
     specimen.may_grow = use.genesis;
-    const auto read   = [&specimen] { return specimen.source == Source::file; };
+    if (use.laboratory)
+      specimen.generator.faces = SpecimenSection::Faces::moulded;
+    const auto read = [&specimen] { return specimen.source == Source::file; };
 
     Section &section = root.section("Specimen", "The particles: where they come from, and what is made of them");
     declare_source(section, specimen.source, use);

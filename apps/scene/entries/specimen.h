@@ -8,5 +8,4 @@ namespace apps
 
   /** @param dimension chosen in section "Physics"; read only after reading. */
   void declare(Section &root, SpecimenSection &specimen, const int &dimension, const SpecimenSection::Use &use);
-  void declare(Section &root, SpecimenSection &specimen, const int &dimension);
 } // namespace apps

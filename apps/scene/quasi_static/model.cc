@@ -64,9 +64,10 @@ namespace apps
   void declare(Section &root, QuasiStaticModel &model)
   {
     SpecimenSection::Use use;
-    use.inertia = false;
-    use.cell    = true;
-    use.genesis = true;
+    use.inertia    = false;
+    use.cell       = true;
+    use.genesis    = true;
+    use.laboratory = true;
     declare(root, model.source, model.dimension, use);
     declare(*root.find_section("Specimen"), model.mix);
     declare(root, model.joints);

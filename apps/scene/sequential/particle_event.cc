@@ -121,7 +121,9 @@ namespace apps
       .means("Saved discrete states (HDF5), separated by commas")
       .only_if([&particle_event] { return particle_event.source == Source::file; }, "Particles/Source = file")
       .type = "list of files";
-    declare(s, particle_event.specimen, particle_event.physics.dimension);
+    SpecimenSection::Use use;
+    use.laboratory = true;
+    declare(s, particle_event.specimen, particle_event.physics.dimension, use);
     declare(*s.find_section("Specimen"), particle_event.mix);
     declare(s, particle_event.material);
     declare_physics(s, particle_event.physics);

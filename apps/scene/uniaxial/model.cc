@@ -16,7 +16,9 @@ namespace apps
 {
   void declare(Section &root, UniaxialModel &model)
   {
-    declare(root, model.source, model.physics.dimension);
+    SpecimenSection::Use use;
+    use.laboratory = true;
+    declare(root, model.source, model.physics.dimension, use);
     declare(*root.find_section("Specimen"), model.mix);
     declare(root, model.joints);
     declare(root, model.material);
