@@ -100,17 +100,15 @@ namespace dem
         }
     }
 
-    /** Of a set that may carry moments or not, and may stay in the caches or not. */
-    template <bool equal_radii, bool moments>
+    /** Of a set that may carry moments or not. */
+    template <bool equal_radii, bool moments, bool ahead>
     BRECCIA_KERNEL void
     add_set(const LinkSet &links, const std::size_t i, const Lanes &lanes, Pack &sum, HalfPack &moment)
     {
       if constexpr (moments)
         if (links.moments_apart)
-          return links.fetches_ahead ? add_links<equal_radii, true, true>(links, i, lanes, sum, moment) :
-                                       add_links<equal_radii, true, false>(links, i, lanes, sum, moment);
-      return links.fetches_ahead ? add_links<equal_radii, false, true>(links, i, lanes, sum, moment) :
-                                   add_links<equal_radii, false, false>(links, i, lanes, sum, moment);
+          return add_links<equal_radii, true, ahead>(links, i, lanes, sum, moment);
+      add_links<equal_radii, false, ahead>(links, i, lanes, sum, moment);
     }
 
     /** With the moments at contact points: of links in the plane they stand last in their records, of those in space apart. */
@@ -119,12 +117,62 @@ namespace dem
       return multiply_add(force, lanes.all_but_last, last_at_rotations(force)) + at_rotations(apart);
     }
 
+    /** What a step does to particles, the same for all of them. */
+    struct StepOfPass
+    {
+      StepOfPass(const StepHalves &halves, const double damping, const Eigen::Vector3d &gravity, const bool streams)
+        : lengths(halves)
+        , coefficient(damping)
+        , fall(pack_of([&](const int lane) { return lane < 3 ? gravity[lane] : 0.0; }))
+        , streams(streams)
+      {
+      }
+
+      const Lanes              lanes;
+      const leap_frog::Lanes   moving;
+      const leap_frog::Lengths lengths;
+      const Pack               coefficient, fall;
+      const bool               streams;
+    };
+
+    /** @tparam ahead fetch what comes: links do not stay in the caches */
+    template <bool with_contacts, bool damped, bool equal_radii, bool moments, Surroundings surroundings, bool ahead>
+    BRECCIA_KERNEL void move_particle(Particles          &particles,
+                                      const std::size_t   i,
+                                      const LinkSet      &bonds,
+                                      const LinkSet      *contacts,
+                                      const base::Column &surfaces,
+                                      const StepOfPass   &step,
+                                      leap_frog::Sums    &sums)
+    {
+      if constexpr (ahead)
+        if (i + particles_ahead < particles.count)
+          fetch(particles, i + particles_ahead);
+      Pack     force(0.0);
+      HalfPack moment(0.0);
+      add_set<equal_radii, moments, ahead>(bonds, i, step.lanes, force, moment);
+      if constexpr (with_contacts)
+        add_set<equal_radii, moments, ahead>(*contacts, i, step.lanes, force, moment);
+      if constexpr (moments)
+        force = with_moments(force, moment, step.lanes);
+      constexpr bool touched = surroundings == Surroundings::touched;
+      constexpr bool pushed  = surroundings == Surroundings::pushed || touched;
+      if constexpr (surroundings == Surroundings::weight || pushed)
+        force = multiply_add(Pack(particles.mass[i]), step.fall, force);
+      if constexpr (touched)
+        force += load(&surfaces[record_size * i]);
+      if constexpr (pushed)
+        force += load(&particles.pushed[record_size * i]);
+      leap_frog::integrate<damped, surroundings == Surroundings::periodic, pushed>(
+        particles, i, force, step.moving, step.lengths, step.coefficient, step.streams, sums);
+    }
+
     template <bool with_contacts, bool damped, bool equal_radii, bool moments, Surroundings surroundings>
     void particle_pass(Particles                         &particles,
                        const LinkSet                     &bonds,
                        const LinkSet                     *contacts,
                        const base::Column                &surfaces,
-                       const StepHalves                  &step,
+                       const StepHalves                  &halves,
                        const double                       damping,
                        const Eigen::Vector3d             &gravity,
                        const ParticleBlocks              &blocks,
@@ -135,36 +183,18 @@ namespace dem
 #pragma omp parallel for schedule(static)
       for (std::ptrdiff_t b = first; b < last; ++b)
         {
-          const Lanes              lanes;
-          const leap_frog::Lanes   moving;
-          const leap_frog::Lengths lengths(step);
-          const Pack               coefficient(damping);
-          const Pack               fall = pack_of([&](const int lane) { return lane < 3 ? gravity[lane] : 0.0; });
-          leap_frog::Sums          sums;
-          const std::size_t        begin = static_cast<std::size_t>(b) * particles_per_block,
-                            end          = std::min(begin + particles_per_block, particles.count);
-          for (std::size_t i = begin; i < end; ++i)
-            {
-              if (ahead && i + particles_ahead < particles.count)
-                fetch(particles, i + particles_ahead);
-              Pack     force(0.0);
-              HalfPack moment(0.0);
-              add_set<equal_radii, moments>(bonds, i, lanes, force, moment);
-              if constexpr (with_contacts)
-                add_set<equal_radii, moments>(*contacts, i, lanes, force, moment);
-              if constexpr (moments)
-                force = with_moments(force, moment, lanes);
-              constexpr bool touched = surroundings == Surroundings::touched;
-              constexpr bool pushed  = surroundings == Surroundings::pushed || touched;
-              if constexpr (surroundings == Surroundings::weight || pushed)
-                force = multiply_add(Pack(particles.mass[i]), fall, force);
-              if constexpr (touched)
-                force += load(&surfaces[record_size * i]);
-              if constexpr (pushed)
-                force += load(&particles.pushed[record_size * i]);
-              leap_frog::integrate<damped, surroundings == Surroundings::periodic, pushed>(
-                particles, i, force, moving, lengths, coefficient, bonds.streams, sums);
-            }
+          const StepOfPass  step(halves, damping, gravity, bonds.streams);
+          leap_frog::Sums   sums;
+          const std::size_t begin = static_cast<std::size_t>(b) * particles_per_block,
+                            end   = std::min(begin + particles_per_block, particles.count);
+          if (ahead)
+            for (std::size_t i = begin; i < end; ++i)
+              move_particle<with_contacts, damped, equal_radii, moments, surroundings, true>(
+                particles, i, bonds, contacts, surfaces, step, sums);
+          else
+            for (std::size_t i = begin; i < end; ++i)
+              move_particle<with_contacts, damped, equal_radii, moments, surroundings, false>(
+                particles, i, bonds, contacts, surfaces, step, sums);
           if (bonds.streams)
             finish_streaming();
           accounts[b] = {sum_of(sums.damping_before), sum_of(sums.damping_after), sum_of(sums.kinetic),
