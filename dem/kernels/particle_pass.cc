@@ -135,7 +135,7 @@ namespace dem
       const bool               streams;
     };
 
-    /** @tparam ahead fetch what comes: links do not stay in the caches */
+    /** Add up what acts on a particle, and move it. @tparam ahead fetch what comes: links do not stay in the caches */
     template <bool with_contacts, bool damped, bool equal_radii, bool moments, Surroundings surroundings, bool ahead>
     BRECCIA_KERNEL void move_particle(Particles          &particles,
                                       const std::size_t   i,
