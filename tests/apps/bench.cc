@@ -23,7 +23,7 @@ namespace
     scene             = replaced(scene, "  set File              = packing.txt\n", "");
     scene             = replaced(scene, "set Grip thickness = 0.5e-3", "set Grip thickness = 2.2e-3");
     return scene + "subsection Specimen\n  subsection Generator\n    set Particle radius = 1e-3\n    set Cell "
-                   "particles = 200\n  end\nend\n";
+                   "particles = 200\n    set Faces = cut\n  end\nend\n";
   }
 } // namespace
 

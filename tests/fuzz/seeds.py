@@ -106,6 +106,7 @@ subsection Specimen
   subsection Generator
     set Particle radius = 1e-3
     set Cell particles  = 60
+    set Faces           = cut
     set Seed            = 3
   end
 end
