@@ -20,13 +20,6 @@ namespace dem
       return unit == 'M' ? size << 20 : unit == 'K' ? size << 10 : size;
     }
 
-    /** Of the second level. */
-    std::size_t second_cache()
-    {
-      const std::size_t size = cache_size(2); // behind the first level's, one of data and one of instructions
-      return size > 0 ? size : std::size_t(1) << 20;
-    }
-
     std::size_t largest_cache()
     {
       constexpr int levels  = 8; // more than any processor has
@@ -40,12 +33,6 @@ namespace dem
   std::size_t last_level_cache()
   {
     static const std::size_t bytes = largest_cache();
-    return bytes;
-  }
-
-  std::size_t own_cache()
-  {
-    static const std::size_t bytes = second_cache();
     return bytes;
   }
 } // namespace dem

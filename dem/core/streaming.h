@@ -13,9 +13,6 @@ namespace dem
   /** Bytes of the largest cache that the first processor reaches; 32 MiB where the system does not report it. */
   std::size_t last_level_cache();
 
-  /** Bytes of the second-level cache, which a core mostly has for itself; 1 MiB where the system does not report it. */
-  std::size_t own_cache();
-
   /** Store a whole line past the caches. Other threads see it after finish_streaming(). */
   BRECCIA_KERNEL void stream(const Pack &values, double *to) { values.stream(to); }
 

@@ -13,6 +13,9 @@ namespace dem
   namespace
   {
     std::size_t round_up(const std::size_t n, const std::size_t unit) { return (n + unit - 1) / unit * unit; }
+
+    /** What a step goes through for a link, with its share of its particles, over its force record: 190 to 370 bytes over 64. */
+    constexpr std::size_t held_over_forces = 5;
   } // namespace
 
   std::size_t LinkSet::bytes() const
@@ -145,8 +148,9 @@ namespace dem
     if (moments_apart)
       assign_zeros(moment, half_record_size * lines);
     accounts.resize(std::max<std::size_t>(lines / links_per_block, 1));
-    streams       = sizeof(double) * force.size() > last_level_cache();
-    fetches_ahead = sizeof(double) * force.size() > own_cache();
+    const std::size_t forces = sizeof(double) * force.size();
+    streams                  = forces > last_level_cache();
+    fetches_ahead            = held_over_forces * forces > last_level_cache();
   }
 
   std::pair<std::ptrdiff_t, std::ptrdiff_t> LinkSet::parts_between(const LinkLines &lines) const

@@ -57,7 +57,7 @@ namespace dem
       false; ///< in records of their own; in the plane a moment is one number, and has room beside the force
     bool streams = false; ///< too many for the caches: force records are written past them
     bool fetches_ahead =
-      false; ///< too many for the cache that a core has for itself: force records are fetched before they are added up
+      false; ///< too many, with all that a step reads, for the caches: force records are fetched before they are added up
     bool logs_breaks = false; ///< broken ones may stay: `noted` marks those in the crack log
 
     std::vector<LinkQuantity> quantities;      ///< what the columns of the history are, as the law declares them

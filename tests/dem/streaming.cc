@@ -75,7 +75,7 @@ TEST_CASE("particles move by the same bits, whether force records are fetched ah
   dem::LinkSet links;
   dem::make_links(links, dem::particle_pairs(particles, 1.5, 0.0), particles, {}, *law);
   REQUIRE(links.count > 500);
-  REQUIRE_FALSE(links.fetches_ahead); // few enough for the cache of a core
+  REQUIRE_FALSE(links.fetches_ahead); // few enough for the caches
   law->pass(dem::Mixture::radii)(links, particles, *law, links.whole());
   dem::Particles ahead = particles;
 
