@@ -8,6 +8,6 @@ namespace apps
     exit_success     = 0,
     exit_failure     = 1,  ///< the computation broke down, or an internal error
     exit_bad_input   = 2,  ///< something the user gave, or results that cannot be written
-    exit_interrupted = 130 ///< SIGINT or SIGTERM; a checkpoint was left if there was something to keep
+    exit_interrupted = 130 ///< SIGINT, SIGTERM or SIGUSR1; a checkpoint was left if there was something to keep
   };
 } // namespace apps

@@ -88,8 +88,8 @@ namespace apps
     action.sa_handler       = raise_flag;
     action.sa_flags         = static_cast<int>(SA_RESETHAND | SA_RESTART);
     sigemptyset(&action.sa_mask);
-    sigaction(SIGINT, &action, nullptr);
-    sigaction(SIGTERM, &action, nullptr);
+    for (const int signal : stop_signals)
+      sigaction(signal, &action, nullptr);
   }
 
   namespace

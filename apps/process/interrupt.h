@@ -1,12 +1,20 @@
 #pragma once
 
+#include <array>
+#include <csignal>
 #include <functional>
 #include <string>
 
 namespace apps
 {
   /**
-   * From here on the first SIGINT or SIGTERM raises the flag below, and a second one ends the program at once.
+   * What asks the program to stop. Launchers of MPI hand SIGUSR1 on and leave the rest to the processes; after SIGTERM that of Open MPI kills
+   * them within a second.
+   */
+  constexpr std::array<int, 3> stop_signals = {SIGINT, SIGTERM, SIGUSR1};
+
+  /**
+   * From here on the first of each of stop_signals raises the flag below, and a second one ends the program at once.
    *
    * Long work polls the flag often, saves its state and returns. Work that cannot poll (a
    * factorisation, a large file) is left within four seconds all the same: a thread of its own then says the last words and

@@ -143,17 +143,17 @@ namespace apps
     const base::MpiAlone alone;
     const FolderForMpi   folder;
     // PETSc, which deal.II starts too, sets the handlers of signals to the system's own.
-    std::array<struct sigaction, 2> handlers;
-    sigaction(SIGINT, nullptr, &handlers[0]);
-    sigaction(SIGTERM, nullptr, &handlers[1]);
+    std::array<struct sigaction, stop_signals.size()> handlers;
+    for (std::size_t s = 0; s < handlers.size(); ++s)
+      sigaction(stop_signals[s], nullptr, &handlers[s]);
     session() = std::make_unique<Session>(count, given, 1);
     base::LoadedOpenBlas().use_one_thread(); // for the solvers of PETSc and Trilinos as well
     if (rank_count() > 1)
       MPI_Comm_dup(MPI_COMM_WORLD, &failures);
     if (rank_count() > 1 && std::getenv("BRECCIA_CHECK_RANKS"))
       MPI_Comm_dup(MPI_COMM_WORLD, &comparisons);
-    sigaction(SIGINT, &handlers[0], nullptr);
-    sigaction(SIGTERM, &handlers[1], nullptr);
+    for (std::size_t s = 0; s < handlers.size(); ++s)
+      sigaction(stop_signals[s], &handlers[s], nullptr);
   }
 
   void finish_mpi() { session().reset(); }

@@ -138,28 +138,48 @@ TEST_CASE(
                                   no_room_for(0, "tension_links/tension_links_000000.vtp"), ".vtp: cannot be written");
 }
 
+namespace
+{
+  /** Ranks stand still until mpirun, their parent, gets a signal, which it may hand on late: the run could be over by then. */
+  std::string signal_to_mpirun(const std::string &signal)
+  {
+    return until_written("tension_links/tension_links_000001.vtp") +
+           "ls results/running > before; kill -STOP $(cat process.*); "
+           "kill -" +
+           signal + " $(cut -d' ' -f4 /proc/$(cat process.0)/stat);";
+  }
+
+  /** Three ranks that are told to end leave a checkpoint as one process does, from which one and two go on. @param told shell words */
+  void leave_a_checkpoint(const std::string &told)
+  {
+    if (places::skipped_without_mpirun())
+      return;
+    const ScratchFolder folder;
+    const std::string   words = pulled_concrete({"Output/Snapshots=4"});
+    REQUIRE(shell_in(folder, program_on(0, 1) + words + " -o whole") == 0);
+    const Ending ending = ending_on_three(folder, words, told);
+    INFO(ending.said);
+    CHECK(ending.status != 0);
+    CHECK(ending.seconds < gone_within);
+    CHECK_THAT(content_of(folder / "before"), !Contains("checkpoint.h5"));
+    CHECK(std::filesystem::exists(folder / "results/running/checkpoint.h5"));
+    CHECK_FALSE(std::filesystem::exists(folder / "results/summary.json"));
+    CHECK(occurrences("interrupted in tension, state saved. Go on with: mpirun -n 3 breccia run "
+                      "results/running/scene.prm --resume",
+                      ending.said) == 1);
+    goes_on(folder, words, 0, 1);
+    goes_on(folder, words, 2, 1);
+  }
+} // namespace
+
 TEST_CASE("Where mpirun is told to end, particles leave a checkpoint as one process does, from which one and two go on",
           "[apps][mpi][ranks][slow][S13]")
 {
-  if (places::skipped_without_mpirun())
-    return;
-  const ScratchFolder folder;
-  const std::string   words = pulled_concrete({"Output/Snapshots=4"});
-  REQUIRE(shell_in(folder, program_on(0, 1) + words + " -o whole") == 0);
-  // mpirun, their parent, may hand it on late: ranks stand still until then, or the run could be over.
-  const Ending ending = ending_on_three(folder, words,
-                                        until_written("tension_links/tension_links_000001.vtp") +
-                                          "ls results/running > before; kill -STOP $(cat process.*); "
-                                          "kill -TERM $(cut -d' ' -f4 /proc/$(cat process.0)/stat);");
-  INFO(ending.said);
-  CHECK(ending.status != 0);
-  CHECK(ending.seconds < gone_within);
-  CHECK_THAT(content_of(folder / "before"), !Contains("checkpoint.h5"));
-  CHECK(std::filesystem::exists(folder / "results/running/checkpoint.h5"));
-  CHECK_FALSE(std::filesystem::exists(folder / "results/summary.json"));
-  CHECK(occurrences("interrupted in tension, state saved. Go on with: mpirun -n 3 breccia run "
-                    "results/running/scene.prm --resume",
-                    ending.said) == 1);
-  goes_on(folder, words, 0, 1);
-  goes_on(folder, words, 2, 1);
+  leave_a_checkpoint(signal_to_mpirun("TERM"));
+}
+
+TEST_CASE("Ranks that take longer than mpirun's second to end leave a checkpoint where mpirun is sent SIGUSR1",
+          "[apps][mpi][ranks][slow][S13]")
+{
+  leave_a_checkpoint(signal_to_mpirun("USR1") + " sleep 2; kill -CONT $(cat process.*);");
 }

@@ -41,7 +41,7 @@ TEST_CASE("An interrupted run checkpoints, leaves with 130, and goes on to the s
   const ScratchFolder folder;
   folder.file("packing.txt", stack_packing());
   folder.file("x.prm", slow_scene());
-  goes_on_to_the_same_bits(folder, in_tension, {SIGINT, SIGTERM});
+  goes_on_to_the_same_bits(folder, in_tension, {SIGINT, SIGTERM, SIGUSR1});
 }
 
 TEST_CASE("A killed run goes on from its last checkpoint to the same bits, weight and static start included",
