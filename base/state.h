@@ -37,6 +37,15 @@ namespace base
       });
       column(name, whole);
     }
+    /** Whether it fills items by their names, in whatever order these are visited. */
+    virtual bool finds_by_name() const { return false; }
+    /** Read a column of which no one has the memory, one part after the other. @pre finds_by_name() */
+    virtual void read_in_parts(const std::string &name, const Take &take)
+    {
+      Column whole;
+      column(name, whole);
+      take(whole.data(), whole.size());
+    }
     virtual void scalar(const std::string &name, double &value)       = 0;
     virtual void scalar(const std::string &name, std::int64_t &value) = 0;
   };

@@ -36,6 +36,8 @@ namespace apps
     {
       checkpoint.column_in_parts(name, count, tell);
     }
+    bool finds_by_name() const override { return reader; }
+    void read_in_parts(const std::string &name, const Take &take) override { checkpoint.read_in_parts(name, take); }
     void scalar(const std::string &name, double &value) override { checkpoint.scalar(name, value); }
     void scalar(const std::string &name, std::int64_t &value) override { checkpoint.scalar(name, value); }
 

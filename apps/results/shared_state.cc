@@ -5,6 +5,7 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <algorithm>
 #include <exception>
 
 namespace apps
@@ -43,6 +44,19 @@ namespace apps
       values.assign(first, first + static_cast<std::ptrdiff_t>(values.size()));
     }
 
+    /** From the first rank to all, at the same place in each. */
+    void hand_on(void *values, std::size_t bytes)
+    {
+      constexpr std::size_t most = std::size_t(1) << 28; // MPI counts in int
+      for (auto *at = static_cast<char *>(values); bytes > 0;)
+        {
+          const std::size_t part = std::min(bytes, most);
+          MPI_Bcast(at, static_cast<int>(part), MPI_BYTE, 0, MPI_COMM_WORLD);
+          at += part;
+          bytes -= part;
+        }
+    }
+
     template <typename Value>
     void visit_scalar(base::StateVisitor *inner, const bool reads, const std::string &name, Value &value)
     {
@@ -67,8 +81,8 @@ namespace apps
     on_first_rank([&] { inner->column(name, values); });
     if (!reader)
       return;
-    const auto all = broadcast(MPI_COMM_WORLD, std::vector<typename Values::value_type>(values.begin(), values.end()));
-    values.assign(all.begin(), all.end());
+    values.resize(broadcast(MPI_COMM_WORLD, values.size()));
+    hand_on(values.data(), values.size() * sizeof(typename Values::value_type));
   }
 
   void SharedState::group(const std::string &name)
@@ -109,6 +123,46 @@ namespace apps
       }
     if (!told)
       tell(leave);
+    on_first_rank([&] {
+      if (failed)
+        std::rethrow_exception(failed);
+    });
+  }
+
+  void SharedState::read_in_parts(const std::string &name, const Take &take)
+  {
+    std::exception_ptr failed;
+    const auto         hand_count_on = [](std::size_t count) {
+      hand_on(&count, sizeof(count));
+      return count;
+    };
+    if (inner)
+      {
+        try
+          {
+            std::vector<double> part;
+            inner->read_in_parts(name, [&](const double *const numbers, const std::size_t count) {
+              part.assign(numbers, numbers + hand_count_on(count));
+              hand_on(part.data(), part.size() * sizeof(double));
+              take(part.data(), part.size());
+            });
+          }
+        catch (...)
+          {
+            failed = std::current_exception();
+          }
+        hand_count_on(0); // the others wait for it
+      }
+    else
+      {
+        std::vector<double> part(hand_count_on(0));
+        while (!part.empty())
+          {
+            hand_on(part.data(), part.size() * sizeof(double));
+            take(part.data(), part.size());
+            part.resize(hand_count_on(0));
+          }
+      }
     on_first_rank([&] {
       if (failed)
         std::rethrow_exception(failed);

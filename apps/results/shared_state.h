@@ -26,6 +26,9 @@ namespace apps
     void column(const std::string &name, std::vector<std::int32_t> &values) override;
     /** All ranks are told all parts, of which the first one's state takes them. @pre it does not read, and each rank has all */
     void column_in_parts(const std::string &name, std::size_t count, const Tell &tell) override;
+    bool finds_by_name() const override { return reader && whole; }
+    /** What the first one's state reads, all ranks take. @pre finds_by_name(), and take does not throw */
+    void read_in_parts(const std::string &name, const Take &take) override;
     void scalar(const std::string &name, double &value) override;
     void scalar(const std::string &name, std::int64_t &value) override;
 

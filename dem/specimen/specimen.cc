@@ -3,6 +3,7 @@
 #include "base/errors.h"
 #include "dem/specimen/core.h"
 #include "dem/specimen/gathered_state.h"
+#include "dem/specimen/taken_state.h"
 
 #include <algorithm>
 #include <set>
@@ -130,10 +131,16 @@ namespace dem
 
   void Specimen::visit_state(base::StateVisitor &visitor)
   {
-    if (!self->shares())
+    if (self->shares())
+      {
+        GatheredState all(*self, visitor);
+        return self->visit_state(all);
+      }
+    if (!self->shared || !visitor.finds_by_name())
       return self->visit_state(visitor);
-    GatheredState all(*self, visitor);
-    self->visit_state(all);
+    TakenState own(*self, visitor);
+    self->visit_state(own);
+    own.take_rest();
   }
 
   void Specimen::share_among(std::shared_ptr<Ranks> ranks, const std::int64_t move_every)

@@ -63,6 +63,8 @@ namespace postprocess
     /** @throws base::InputError naming the item: missing, of another type or shape, or its checksum does not fit. */
     void column(const std::string &name, base::Column &values) override;
     void column(const std::string &name, std::vector<std::int32_t> &values) override;
+    bool finds_by_name() const override { return true; }
+    void read_in_parts(const std::string &name, const Take &take) override;
     void scalar(const std::string &name, double &value) override;
     void scalar(const std::string &name, std::int64_t &value) override;
 

@@ -274,17 +274,54 @@ namespace postprocess::hdf5
     return result;
   }
 
+  void
+  InputFile::check_type(const std::string &name, const hid_t array, const hid_t type, const std::string &expected) const
+  {
+    const Handle stored(H5Dget_type(array), H5Tclose);
+    if (H5Tget_class(stored) != H5Tget_class(type) || H5Tget_size(stored) > H5Tget_size(type))
+      throw base::InputError(path.string() + ": \"" + name + "\" is of another type: " + expected + " expected.");
+  }
+
   void InputFile::read_array(const std::string &name,
                              const hid_t        type,
                              const std::string &expected,
                              void *const        values) const
   {
     const Handle array = open(name);
-    const Handle stored(H5Dget_type(array), H5Tclose);
-    if (H5Tget_class(stored) != H5Tget_class(type) || H5Tget_size(stored) > H5Tget_size(type))
-      throw base::InputError(path.string() + ": \"" + name + "\" is of another type: " + expected + " expected.");
+    check_type(name, array, type, expected);
     if (H5Dread(array, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values) < 0)
       damaged(name);
+  }
+
+  void InputFile::read_parts(const std::string                                    &name,
+                             const hid_t                                           array,
+                             const hid_t                                           type,
+                             const std::function<void(const char *, std::size_t)> &part) const
+  {
+    const Handle      space(H5Dget_space(array), H5Sclose);
+    const hsize_t     all = static_cast<hsize_t>(std::max<hssize_t>(0, H5Sget_simple_extent_npoints(space)));
+    std::vector<char> numbers;
+    const bool        row = H5Sget_simple_extent_ndims(space) == 1;
+    for (hsize_t begin = 0; begin < all;)
+      {
+        const hsize_t length = row ? std::min(all - begin, chunk_values) : all;
+        numbers.resize(H5Tget_size(type) * length);
+        const Handle here = make_space({length});
+        if ((row && H5Sselect_hyperslab(space, H5S_SELECT_SET, &begin, nullptr, &length, nullptr) < 0) ||
+            H5Dread(array, type, here, space, H5P_DEFAULT, numbers.data()) < 0)
+          damaged(name);
+        part(numbers.data(), length);
+        begin += length;
+      }
+  }
+
+  void InputFile::read_in_parts(const std::string &name, const base::StateVisitor::Take &take) const
+  {
+    const Handle array = open(name);
+    check_type(name, array, H5T_NATIVE_DOUBLE, "real numbers");
+    read_parts(name, array, H5T_NATIVE_DOUBLE, [&](const char *const numbers, const std::size_t count) {
+      take(reinterpret_cast<const double *>(numbers), count);
+    });
   }
 
   void InputFile::read(const std::string &name, double *const values) const
@@ -302,19 +339,15 @@ namespace postprocess::hdf5
     read_array(name, H5T_NATIVE_INT64, "whole numbers", values);
   }
 
-  std::string InputFile::bytes(const std::string &name) const
+  void InputFile::read_bytes(const std::string &name, const std::function<void(std::string_view)> &take) const
   {
     const Handle array = open(name);
     const Handle type(H5Dget_type(array), H5Tclose);
     if (H5Tget_class(type) != H5T_INTEGER && H5Tget_class(type) != H5T_FLOAT)
       throw base::InputError(path.string() + ": \"" + name + "\" is of another type: numbers expected.");
-    std::size_t size = H5Tget_size(type);
-    for (const hsize_t n : shape(name))
-      size *= n;
-    std::string content(size, '\0');
-    if (size > 0 && H5Dread(array, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, content.data()) < 0)
-      damaged(name);
-    return content;
+    read_parts(name, array, type, [&](const char *const numbers, const std::size_t count) {
+      take({numbers, count * H5Tget_size(type)});
+    });
   }
 
   std::string InputFile::read_text(const std::string &name) const

@@ -7,7 +7,9 @@
 #include <hdf5.h>
 
 #include <cstdint>
+#include <functional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -120,16 +122,26 @@ namespace postprocess::hdf5
     void read(const std::string &name, std::int32_t *values) const;
     void read(const std::string &name, std::int64_t *values) const;
 
-    /** The bytes of an array as they lie in the file. */
-    std::string bytes(const std::string &name) const;
+    /** Numbers of a row, one part after the other. */
+    void read_in_parts(const std::string &name, const base::StateVisitor::Take &take) const;
+
+    /** The bytes of an array as they lie in the file, one part after the other. */
+    void read_bytes(const std::string &name, const std::function<void(std::string_view)> &take) const;
 
     /** Full names of all arrays and texts below a group, sorted; none if there is no such group. */
     std::vector<std::string> names(const std::string &group = "/") const;
 
   private:
-    bool              linked(const std::string &name) const; ///< does the file list such a name
-    Handle            open(const std::string &name) const;
-    void              read_array(const std::string &name, hid_t type, const std::string &expected, void *values) const;
+    bool   linked(const std::string &name) const; ///< does the file list such a name
+    Handle open(const std::string &name) const;
+    void   read_array(const std::string &name, hid_t type, const std::string &expected, void *values) const;
+    /** Part by part what an array holds, as numbers of a type in memory. @param part of it, with their number */
+    void read_parts(const std::string                                    &name,
+                    hid_t                                                 array,
+                    hid_t                                                 type,
+                    const std::function<void(const char *, std::size_t)> &part) const;
+    /** @throws base::InputError unless the numbers of an array fit into a type */
+    void              check_type(const std::string &name, hid_t array, hid_t type, const std::string &expected) const;
     [[noreturn]] void damaged(const std::string &name) const;
     [[noreturn]] void fail(const std::string &what) const;
 

@@ -55,6 +55,7 @@ struct MemoryState
     {
       get(m.integer_columns, name, values);
     }
+    bool finds_by_name() const override { return true; }
     void scalar(const std::string &name, double &value) override { get(m.numbers, name, value); }
     void scalar(const std::string &name, std::int64_t &value) override { get(m.integers, name, value); }
 

@@ -133,8 +133,8 @@ namespace
 {
   struct Memory
   {
-    std::vector<dem::RankMemory> at_first, at_work, after_sums, after_all, later; ///< of each rank
-    std::size_t                  written = 0;                                     ///< numbers of a state
+    std::vector<dem::RankMemory> at_first, at_work, after_sums, after_all, later, as_read; ///< of each rank
+    std::size_t                  written = 0;                                              ///< numbers of a state
   };
 
   /** A block of bonded spheres at several moments of its run. */
@@ -156,7 +156,8 @@ namespace
       body.energy();
       body.mean_damage();
       body.counts();
-      const std::size_t written = numbers_in(MemoryState::of(body));
+      const MemoryState state   = MemoryState::of(body);
+      const std::size_t written = numbers_in(state);
       note(found.after_sums);
       if (ranks->rank() == 0)
         found.written = written;
@@ -164,13 +165,20 @@ namespace
       note(found.after_all);
       body.advance(20);
       note(found.later);
+      dem::Specimen resumed = make();
+      resumed.share_among(ranks);
+      state.restore(resumed);
+      if (const auto shares = dem::memory_of_ranks(resumed); ranks->rank() == 0)
+        found.as_read = shares;
     });
     return found;
   }
 } // namespace
 
-TEST_CASE("from the first step a rank has memory for its own links, particles, copies and ghosts, and what all know",
-          "[dem][ranks]")
+TEST_CASE(
+  "from the first step, or from a state that is read, a rank has memory for its own links, particles, copies and "
+  "ghosts, and what all know",
+  "[dem][ranks]")
 {
   omp_set_num_threads(1);
   const auto make = [] {
@@ -192,7 +200,7 @@ TEST_CASE("from the first step a rank has memory for its own links, particles, c
           INFO("rank " << r << " of " << count << ", " << least << " of " << whole << " bytes at least");
           CHECK(least < static_cast<double>(whole) * (count == 2 ? 0.56 : 0.33));
           for (const std::vector<dem::RankMemory> *at :
-               {&memory.at_first, &memory.at_work, &memory.after_sums, &memory.later})
+               {&memory.at_first, &memory.at_work, &memory.after_sums, &memory.later, &memory.as_read})
             {
               CHECK(static_cast<double>((*at)[r].now) >= 0.97 * least);
               CHECK(static_cast<double>((*at)[r].now) <= least + 0.2 * static_cast<double>(whole));

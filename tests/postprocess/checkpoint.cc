@@ -107,7 +107,8 @@ TEST_CASE("a checkpoint gives back the same bits", "[postprocess]")
   REQUIRE(files_in(folder.path) == 1);
 }
 
-TEST_CASE("a column that comes in parts makes the file of one that comes whole", "[postprocess]")
+TEST_CASE("a column that comes in parts makes the file of one that comes whole, which is read in parts again",
+          "[postprocess]")
 {
   const ScratchFolder at_once, by_parts; // a checkpoint lists what lies beside it
   const std::size_t   size = GENERATE(0, 300, 131072, 400000);
@@ -126,6 +127,18 @@ TEST_CASE("a column that comes in parts makes the file of one that comes whole",
     CheckpointWriter writer(at_once / "checkpoint.h5", scene);
     writer.column("column", column);
     writer.commit();
+  }
+  {
+    CheckpointReader reader(at_once / "checkpoint.h5", scene);
+    base::Column     back;
+    std::size_t      longest = 0;
+    reader.read_in_parts("column", [&](const double *const numbers, const std::size_t count) {
+      back.insert(back.end(), numbers, numbers + count);
+      longest = std::max(longest, count);
+    });
+    CHECK((back == column));
+    CHECK(longest <= size_t(1) << 17);
+    reader.finish();
   }
   for (const std::size_t length : {size_t(7001), size_t(1) << 17, size_t(300001)})
     {
