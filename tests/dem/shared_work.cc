@@ -176,8 +176,7 @@ namespace
 } // namespace
 
 TEST_CASE(
-  "from the first step, or from a state that is read, a rank has memory for its own links, particles, copies and "
-  "ghosts, and what all know",
+  "from the first step, or a state read, a rank has memory for its own links and particles, and what it needs to know",
   "[dem][ranks]")
 {
   omp_set_num_threads(1);
