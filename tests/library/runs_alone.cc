@@ -16,6 +16,7 @@ namespace
     {
     }
     void column_in_parts(const std::string &, std::size_t, const base::StateVisitor::Tell &) {}
+    void read_in_parts(const std::string &, const base::StateVisitor::Take &) {}
     template <typename Value>
     void scalar(const std::string &, Value &)
     {
