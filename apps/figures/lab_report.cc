@@ -198,14 +198,6 @@ namespace apps
            work;
   }
 
-  std::string warning_lines(const std::vector<std::string> &warnings)
-  {
-    std::string text;
-    for (const std::string &warning : warnings)
-      text += fmt::format("warning      {}\n", warning);
-    return text;
-  }
-
   postprocess::PlotPanel panel_of(const UniaxialLoad load, const base::Column &strain, const base::Column &stress)
   {
     const double                   sign = load == UniaxialLoad::tension ? 1 : -1;

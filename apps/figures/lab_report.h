@@ -61,8 +61,6 @@ namespace apps
   nlohmann::json json_of(const LabNotes &test);
   /** What casts doubt on the figures: a crack at a grip, particles pressed deep into each other. */
   std::vector<std::string> warnings_of(const std::vector<LabNotes> &tests);
-  /** The same as lines for the terminal. */
-  std::string warning_lines(const std::vector<std::string> &warnings);
   /** One line for the terminal: strength, modulus, crack. */
   std::string text_of(const LabNotes &test);
   /** The curve of one test, upwards in compression as well. @param strain, stress tension positive [-], [Pa] */

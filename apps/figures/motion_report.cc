@@ -54,8 +54,6 @@ namespace apps
     for (const std::string &note : notes)
       text += fmt::format("note         {}\n", note);
     text += fmt::format("energy       balance error {:.1e} of the largest energy\n", balance_error());
-    for (const std::string &doubt : doubts())
-      text += fmt::format("warning      {}\n", doubt);
-    return text + balance_note(not_in_balance);
+    return text + warning_lines(doubts()) + balance_note(not_in_balance);
   }
 } // namespace apps

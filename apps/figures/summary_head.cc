@@ -2,6 +2,7 @@
 
 #include "apps/process/version.h"
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 namespace apps
@@ -16,5 +17,13 @@ namespace apps
   nlohmann::json quantity(const double value, const std::string &unit)
   {
     return {{"value", value}, {"unit", unit.empty() ? "-" : unit}};
+  }
+
+  std::string warning_lines(const std::vector<std::string> &warnings)
+  {
+    std::string text;
+    for (const std::string &warning : warnings)
+      text += fmt::format("warning      {}\n", warning);
+    return text;
   }
 } // namespace apps

@@ -5,6 +5,7 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include <string>
+#include <vector>
 
 namespace apps
 {
@@ -13,4 +14,7 @@ namespace apps
 
   /** A figure of a summary. @param unit "" as "-" */
   nlohmann::json quantity(double value, const std::string &unit);
+
+  /** What a summary warns of, as lines for the terminal. */
+  std::string warning_lines(const std::vector<std::string> &warnings);
 } // namespace apps

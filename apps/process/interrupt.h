@@ -8,8 +8,8 @@
 namespace apps
 {
   /**
-   * What asks the program to stop. Launchers of MPI hand SIGUSR1 on and leave the rest to the processes; after SIGTERM that of Open MPI kills
-   * them within a second.
+   * What asks the program to stop. Open MPI's launcher hands SIGUSR1 on and waits for its processes; after SIGINT and SIGTERM it kills them
+   * within a second.
    */
   constexpr std::array<int, 3> stop_signals = {SIGINT, SIGTERM, SIGUSR1};
 

@@ -187,8 +187,6 @@ namespace apps
     const std::vector<ReplicatedFigure> found = replicated_figures(runs.results);
     for (const ReplicatedFigure &figure : found)
       text += line_of(figure);
-    for (const std::string &sentence : doubts_about(runs, found))
-      text += fmt::format("warning      {}\n", sentence);
-    return text;
+    return text + warning_lines(doubts_about(runs, found));
   }
 } // namespace apps

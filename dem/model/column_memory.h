@@ -21,6 +21,17 @@ namespace dem
       use(links.moment, std::size_t{half_record_size});
   }
 
+  /** How many numbers a line of such a column has; 0 of another column. */
+  inline std::size_t numbers_of_state(const LinkSet &links, const base::Column &column)
+  {
+    std::size_t found = 0;
+    each_column_of_state(links, [&](const base::Column &each, const std::size_t numbers) {
+      if (&each == &column)
+        found = numbers;
+    });
+    return found;
+  }
+
   /** Records of particles that only those need who update links that end in them. */
   template <typename Of>
   auto records_of_places(Of &particles)

@@ -7,16 +7,6 @@
 
 namespace dem
 {
-  namespace
-  {
-    bool is_of_state(LinkSet &links, const base::Column &column)
-    {
-      bool found = false;
-      each_column_of_state(links, [&](const base::Column &each, std::size_t) { found = found || &each == &column; });
-      return found;
-    }
-  } // namespace
-
   GatheredState::GatheredState(SpecimenCore &core_, base::StateVisitor &inner_)
     : core(core_)
     , inner(inner_)
@@ -30,9 +20,9 @@ namespace dem
     SharedWork &shared   = *core.shared;
     const auto  records  = records_of_state(core.particles);
     const auto  in_parts = [&](const auto &tell) { inner.column_in_parts(name, values.size(), tell); };
-    if (is_of_state(core.bonds, values))
+    if (numbers_of_state(core.bonds, values) > 0)
       in_parts([&](const Take &take) { shared.tell_column_of_bonds(values, core.bonds, take); });
-    else if (is_of_state(core.contacts, values))
+    else if (numbers_of_state(core.contacts, values) > 0)
       in_parts([&](const Take &take) { shared.tell_column_of_contacts(values, core.contacts, take); });
     else if (std::find(records.begin(), records.end(), &values) != records.end())
       in_parts([&](const Take &take) { shared.tell_records(values, take); });

@@ -16,17 +16,11 @@ namespace dem
 
   void TakenState::column(const std::string &name, base::Column &values)
   {
-    bool later = false;
-    for (LinkSet *const links : {&core.bonds, &core.contacts})
-      if (&values != &links->area) // by which it is known which links there are
-        each_column_of_state(*links, [&](base::Column &column, const std::size_t numbers) {
-          if (&column != &values)
-            return;
-          later = true;
-          rest.push_back({name, &values, numbers, links});
-        });
-    if (!later)
-      inner.column(name, values);
+    for (const LinkSet *const links : {&core.bonds, &core.contacts})
+      if (const std::size_t numbers = numbers_of_state(*links, values);
+          numbers > 0 && &values != &links->area) // by which it is known which links there are
+        return rest.push_back({name, &values, numbers, links});
+    inner.column(name, values);
   }
 
   void TakenState::take_rest()

@@ -3,7 +3,6 @@
 #include "dem/specimen/core.h"
 
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace dem

@@ -148,8 +148,7 @@ namespace apps
         "there the average over the cell is no material property\n",
         found->onset.time, found->band.thickness, found->band.normal[0], found->band.normal[1], found->band.normal[2]);
     text += fmt::format("ended by     {}\n", ended_by());
-    for (const std::string &warning : warnings())
-      text += fmt::format("warning      {}\n", warning);
+    text += warning_lines(warnings());
     text += fmt::format("energy       balance error {:.1e} at worst\n", worst_balance_error);
     text += fmt::format("cost         {}, {} steps with {} threads\n", duration_text(wall_seconds), specimen.steps(),
                         omp_get_max_threads());

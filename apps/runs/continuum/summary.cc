@@ -143,8 +143,7 @@ namespace apps
       text += contact->text("bodies");
     for (const std::string &note : notes)
       text += fmt::format("note         {}\n", note);
-    for (const std::string &warning : warnings())
-      text += fmt::format("warning      {}\n", warning);
+    text += warning_lines(warnings());
     text += fmt::format("energy       balance error {:.1e} at worst\n", worst_residual(series));
     text += fmt::format("cost         {}, {:.0f} steps{}\n", duration_text(wall_seconds), cost.at("steps"),
                         linear_solver.empty() ? "" : ", " + linear_solver);

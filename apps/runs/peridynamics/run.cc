@@ -164,6 +164,7 @@ namespace apps
     words +=
       fmt::format("displacement {:.5g} m at most, {} of {} bonds broken, damage {:.4f} at most\n",
                   series.column("largest_displacement").back(), bonds.broken(), bonds.count(), body->largest_damage());
+    words += warning_lines(warnings);
     words += fmt::format("cost         {} with {} threads\n", duration_text(wall_seconds), omp_get_max_threads());
     return {summary, words, nullptr};
   }

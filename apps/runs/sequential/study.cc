@@ -204,8 +204,6 @@ namespace apps
         "strain it came\n";
     if (!failures.empty())
       text += "continuations that broke off:\n" + failures;
-    for (const std::string &warning : warnings())
-      text += fmt::format("warning      {}\n", warning);
-    return text;
+    return text + warning_lines(warnings());
   }
 } // namespace apps

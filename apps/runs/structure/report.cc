@@ -169,6 +169,7 @@ namespace apps
     text += fmt::format(
       "path         {}{} points controlled by the load factor, {} by opening, {} relaxed (cascades)\n", led,
       points_by(dem::StepControl::strain), points_by(dem::StepControl::opening), points_by(dem::StepControl::relaxed));
+    text += warning_lines(tension_beyond_apex(model.material));
     text += fmt::format("energy       balance error {:.1e} at worst\n", worst_residual(series));
     text += fmt::format("cost         {} with {} threads\n", duration_text(wall_seconds), omp_get_max_threads());
     return text;
